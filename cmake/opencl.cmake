@@ -59,12 +59,12 @@ function(lacuna_add_opencl)
         PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     # The kernels of a group are compiled together: for lines and exact, exact with a radius field,
     # cells, relax, and its descent. A driver would take longer to compile each kernel as a program of its own.
-    set(spans locate locate_in_boxes sort_columns screen screen_on_lines admit collect subtract grow
-        insert unfold cut keep scan find_bin_begins)
+    set(spans open_lines locate locate_in_boxes screen admit insert collect subtract sum_tiles grow unfold cut
+        keep scan count_samples list_samples find_bin_begins)
     set(radius_field locate_with_field screen_with_field reach admit_with_field enlist split
-        cut_with_field keep_with_field scan measure)
+        cut_with_field keep_with_field scan measure count_samples list_samples)
     set(cells locate_in_cells sort_columns look_up_radii screen_in_cells admit_in_cells
-        subtract_in_cells)
+        subtract_in_cells scan count_samples list_samples)
     set(relax find_hints find_rivals assign tell_owners assign_crowded limit move level_sites)
     set(descent find_cells scan sort_into_cells descend)
     set(groups)

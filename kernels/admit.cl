@@ -1,6 +1,5 @@
 // admit in lines and exact: no earlier sample of the round may be closer than the radius.
 #include "bodies/common/prelude.h"
 KERNEL(admit, serve_admit, DrawArguments, ADMIT_BINDINGS)
-#include "bodies/lines/limit.h"
-#include "bodies/common/decide.h"
+#include "bodies/lines/decide.h"
 #include "bodies/common/admit.h"

@@ -2,5 +2,5 @@
 #include "bodies/common/prelude.h"
 KERNEL(admit_in_cells, serve_admit, DrawArguments, ADMIT_IN_CELLS_BINDINGS)
 #include "bodies/cells/limit_in_cells.h"
-#include "bodies/common/decide.h"
+#include "bodies/cells/decide_in_cells.h"
 #include "bodies/common/admit.h"

@@ -1,4 +1,4 @@
-// collect: the samples that may cut the lines of each column.
+// collect: the samples of the round near each tile of a column of lines.
 #include "bodies/common/prelude.h"
-KERNEL(collect, serve_collect, ColumnArguments, COLLECT_BINDINGS)
+KERNEL(collect, serve_collect, SlabArguments, COLLECT_BINDINGS)
 #include "bodies/lines/collect.h"

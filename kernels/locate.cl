@@ -1,5 +1,4 @@
 // locate in modes lines and exact: a draw on a line becomes a candidate.
 #include "bodies/common/prelude.h"
 KERNEL(locate, serve_locate, SlabArguments, LOCATE_BINDINGS)
-#include "bodies/lines/free_spans.h"
-#include "bodies/common/locate.h"
+#include "bodies/lines/locate.h"

@@ -1,4 +1,4 @@
-// sort_columns: the order of y within each column of candidates, in every mode.
+// sort_columns: the order of y within each column of candidates, in mode cells.
 #include "bodies/common/prelude.h"
 KERNEL(sort_columns, serve_sort_columns, ColumnArguments, SORT_COLUMNS_BINDINGS)
-#include "bodies/common/sort_columns.h"
+#include "bodies/cells/sort_columns.h"

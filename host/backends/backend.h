@@ -54,7 +54,9 @@ public:
     virtual ~Backend() = default;
 
     virtual std::string device() const = 0;
-    virtual void locate(std::span<const Draw> draws) = 0;  // sorted by bin, then rank
+    virtual Work work() const { return {}; }
+    // The draws are sorted by bin, then rank. They must stay as they are until finish_round().
+    virtual void locate(std::span<const Draw> draws) = 0;
     virtual void admit() = 0;
     virtual void subtract() = 0;
     virtual void refine(bool halve) = 0;
@@ -65,6 +67,9 @@ public:
 
     // The host's threads, which the loop also uses to invert the cdf.
     virtual Workers& workers() = 0;
+
+    // From now on each verb is complete when it returns, so that its time can be measured.
+    virtual void time_verbs() {}
 
     // Long verbs ask may_go_on now and then, in the calling thread; false cancels the run.
     virtual void watch(std::function<bool()> may_go_on) = 0;

@@ -28,6 +28,7 @@ public:
     }
     void begin(Verb verb) override { observer_.begin(verb); }
     void end(Verb verb) override { observer_.end(verb); }
+    bool times_verbs() const override { return observer_.times_verbs(); }
 
 private:
     Observer& observer_;

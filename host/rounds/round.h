@@ -2,6 +2,7 @@
 // section 3).
 #pragma once
 
+#include <lacuna/run.h>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -49,6 +50,7 @@ struct Outcome {
     std::vector<Sample> samples;  // in order of admission
     std::uint64_t rounds = 0;
     std::uint64_t draws = 0;
+    Work work{};
     std::vector<std::uint64_t> numbers;  // of each sample's draw; the reference alone fills them in
 };
 

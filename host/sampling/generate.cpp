@@ -55,6 +55,7 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer) {
         marginal.rebuild(round.free_lengths, round.bin_width, round.bin_widths, round.sheet_ends);
         poll();
     }
+    outcome.work = untimed.work();
     if (outcome.samples.size() > plan.limit) outcome.samples.resize(plan.limit);
     return outcome;
 }

@@ -103,6 +103,7 @@ public:
     }
     void begin(Verb verb) override { observer_.begin(verb); }
     void end(Verb verb) override { observer_.end(verb); }
+    bool times_verbs() const override { return observer_.times_verbs(); }
 
 private:
     Observer& observer_;
@@ -130,6 +131,7 @@ Result progressive(const CheckedRequest& request, Observer& observer, const Poll
         append_points(plan, run.outcome.samples, result);
         samples.insert(samples.end(), run.outcome.samples.begin(), run.outcome.samples.end());
         result.draws += run.outcome.draws;
+        result.work += run.outcome.work;
         result.rounds += run.outcome.rounds;
         result.radius = plan.user_radius;
         result.scale = plan.user_scale;

@@ -44,6 +44,7 @@ Result run(const CheckedRequest& request, const std::optional<FieldSums>& sums,
     result.maximal = run.outcome.samples.size() < plan.limit;
     result.rounds = run.outcome.rounds;
     result.draws = run.outcome.draws;
+    result.work = run.outcome.work;
     result.backend = run.backend;
     result.device = run.device;
     return result;
@@ -72,6 +73,16 @@ Result stratified(const Request& request, Observer& observer, const Poll& poll) 
 }
 
 }  // namespace
+
+Work& Work::operator+=(const Work& other) {
+    launches += other.launches;
+    waits += other.waits;
+    uploads += other.uploads;
+    downloads += other.downloads;
+    uploaded_bytes += other.uploaded_bytes;
+    downloaded_bytes += other.downloaded_bytes;
+    return *this;
+}
 
 std::string_view name_of(Verb verb) {
     switch (verb) {

@@ -41,7 +41,9 @@ private:
 
 class TimedBackend : public Backend {
 public:
-    TimedBackend(Backend& backend, Observer& observer) : backend_(backend), observer_(observer) {}
+    TimedBackend(Backend& backend, Observer& observer) : backend_(backend), observer_(observer) {
+        if (observer_.times_verbs()) backend_.time_verbs();
+    }
 
     void locate(std::span<const Draw> draws) override {
         const Timed timed(observer_, Verb::locate);
@@ -69,7 +71,9 @@ public:
     }
 
     std::string device() const override { return backend_.device(); }
+    Work work() const override { return backend_.work(); }
     Workers& workers() override { return backend_.workers(); }
+    void time_verbs() override { backend_.time_verbs(); }
     void watch(std::function<bool()> may_go_on) override { backend_.watch(std::move(may_go_on)); }
     Snapshot snapshot() override { return backend_.snapshot(); }
     void restore(const Snapshot& snapshot) override { backend_.restore(snapshot); }

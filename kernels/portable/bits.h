@@ -13,6 +13,11 @@ LACUNA_FN u32 word_mask(u32 word, u32 begin, u32 end) {
     return (0xffffffffu << below) & (0xffffffffu >> above);
 }
 
+// The number of words for `rows` bits.
+LACUNA_FN u32 words_of_column(u32 rows) {
+    return (rows + 31u) / 32u;
+}
+
 // The lowest set bit of a word that is not 0. GLSL searches 32 bits at a time.
 LACUNA_FN u32 lowest_bit(u32 word) {
     return count_bits(~word & (word - 1u));

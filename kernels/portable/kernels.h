@@ -33,10 +33,10 @@ struct Geometry {
     u32 lines;
     u32 strip_width;
     u32 columns;
-    u32 capacity;  // most spans of a line, or the number of words of its bits
+    u32 capacity;  // most spans of a tile, or the number of words of a line's bits
     u32 rule;      // what conflicts: RULE_OF_LINES and so on
     u32 chord_margin;
-    u32 grid_side;  // width of the sample grid's cells, see plan/plan.h
+    u32 grid_side;  // width of the sample grid's cells, see grid_of in device/layout.h
     u32 grid_columns;
     u32 grid_rows;
     u32 sheet_bits;  // see sheets.h
@@ -56,13 +56,14 @@ struct DrawArguments {
     u32 first;  // the draws to serve are [first, count)
     u32 count;
     u32 pass OR_ZERO;        // only in admit
-    u32 last_pass;           // admission is finished if undecided[last_pass] is 0
+    u32 last_pass;           // admission is finished if report[last_pass] is 0
     u32 status OR_ZERO;      // in screen: the new status of candidates that are covered
     u32 rows OR_ZERO;        // number of pixels in a column of pixels
     u32 metric OR_ZERO;      // see metric.h
     u32 slices OR_ZERO;      // in cells: an item serves every slices-th line near its samples
     u32 most_reach OR_ZERO;  // samples that reach farther wait for the next launch
-    u32 is_listed OR_ZERO;   // 1: serve the candidates in `todo` or `survivors`; screen lists these
+    u32 is_listed OR_ZERO;   // 1: serve the candidates in `todo` or `survivors`; screen lists
+                             // candidates, and insert marks new_cells
     u32 room OR_ZERO;        // in reach: most visitors of blocks
     u32 first_node OR_ZERO;  // in reach: of the NODES_AT_ONCE to visit, or ALL_NODES
 };
@@ -77,21 +78,27 @@ struct ColumnArguments {
 };
 LACUNA_TYPEDEF(ColumnArguments)
 
-// Arguments of kernels that serve the lines [first_line, end_line), whose spans are in one slab.
+// Arguments of kernels that serve the tiles of lines. In lines and exact a line is divided into
+// `tiles` tiles of equal height, the last of which may be lower, so that the loops over their spans
+// are short. Tiles are numbered line by line. The spans of a slab, which is some lines, lie in one
+// buffer. An item serves one tile, but in locate draws, and in sum_tiles one line.
 struct SlabArguments {
     u32 first_item OR_ZERO;
     u32 chunk OR_ZERO;
     Geometry g;
-    u32 first_line OR_ZERO;
-    u32 end_line OR_ZERO;
-    u32 slab_begin OR_ZERO;  // the slab's first line
-    u32 to_begin OR_ZERO;    // in grow: the first line of the slab to which spans are moved
+    u32 first_tile OR_ZERO;  // the tiles to serve are [first_tile, end_tile)
+    u32 end_tile OR_ZERO;
+    u32 slab_begin OR_ZERO;  // the slab's first tile
+    u32 to_begin OR_ZERO;    // in grow: the first tile of the slab to which spans are moved
     u32 larger OR_ZERO;      // in grow: the capacity of that slab
+    u32 near_room OR_ZERO;   // most samples near a tile
     u32 first_draw OR_ZERO;  // in locate: the draws on these lines are [first_draw, end_draw)
     u32 end_draw OR_ZERO;
-    u32 last_pass OR_ZERO;    // in subtract
-    u32 block_bits OR_ZERO;   // in unfold: counts are summed in blocks of 2^block_bits lines
-    u32 is_counting OR_ZERO;  // in unfold: 1 if boxes are only counted
+    u32 last_pass OR_ZERO;   // in collect and subtract
+    u32 block_bits OR_ZERO;  // in unfold: counts are summed in blocks of 2^block_bits tiles; 0: boxes
+                             // are only counted
+    u32 tiles OR_ZERO;        // of a line
+    u32 tile_height OR_ZERO;
 };
 LACUNA_TYPEDEF(SlabArguments)
 
@@ -114,77 +121,91 @@ LACUNA_TYPEDEF(StripArguments)
 
 struct ScanArguments {
     u32 first_item OR_ZERO;
-    u32 count;  // number of values
-    u32 block;  // values for each item
+    u32 count;       // number of values
+    u32 block;       // values for each item
+    u32 to OR_ZERO;  // where sums of blocks begin in sums[]
 };
 LACUNA_TYPEDEF(ScanArguments)
+
+// Arguments of kernels that list the samples of a round.
+struct SampleArguments {
+    u32 first_item OR_ZERO;
+    u32 chunk OR_ZERO;
+    u32 draws;  // of the round
+    u32 last_pass;
+    u32 counts_before;  // number of counts[] before those of samples
+    u32 block_bits;     // counts are summed in blocks of 2^block_bits
+    u32 words_of_bin;   // words of results[] for each bin
+    u32 bins;           // 0: as many as there are new boxes
+    u32 room;           // most new boxes
+};
+LACUNA_TYPEDEF(SampleArguments)
 
 LACUNA_END
 
 // The bindings of each kernel. A draw is bin, rank, offset, order; a candidate x, y, line, order.
 // clang-format off
-#define LOCATE_BINDINGS(B) B(0, READ, u32x2, spans) \
-    B(1, READ, u32x4, draws) B(2, WRITE, u32x4, located) B(3, SHARED, u32, failure)
-#define LOCATE_IN_BOXES_BINDINGS(B) B(0, READ, u32x4, boxes) \
-    B(1, READ, u32x4, draws) B(2, WRITE, u32x4, located)
-#define LOCATE_IN_CELLS_BINDINGS(B) B(0, READ, u32, bits) \
-    B(1, READ, u32x4, draws) B(2, WRITE, u32x4, located) B(3, SHARED, u32, failure)
-#define SORT_COLUMNS_BINDINGS(B)                                                       \
-    B(0, READ, u32, column_begins) B(1, READ, u32x4, located) B(2, BOTH, u32, buckets) \
-    B(3, BOTH, u32x4, candidates) B(4, WRITE, u32, statuses) B(5, SHARED, u32, failure)
-#define LOOK_UP_RADII_BINDINGS(B)                                                    \
-    B(0, READ, u32x4, candidates) B(1, READ, u32, column_of) B(2, READ, u32, row_of) \
-    B(3, READ, u32, pixel_radii) B(4, WRITE, u32, candidate_radii)
-#define SCREEN_BINDINGS(B)                                                        \
-    B(0, READ, u32x4, candidates) B(1, READ, u32, grid_x) B(2, READ, u32, grid_y) \
-    B(3, BOTH, u32, statuses) B(4, WRITE, u32x2, samples) B(5, SHARED, u32, failure)
-#define SCREEN_ON_LINES_BINDINGS(B)                                                       \
-    B(0, READ, u32x4, candidates) B(1, READ, u32x2, spans) B(2, READ, u32, span_counts) \
-    B(3, BOTH, u32, statuses) B(4, WRITE, u32x2, samples)
-#define SCREEN_IN_CELLS_BINDINGS(B)                                                  \
-    B(0, READ, u32x4, candidates) B(1, READ, u32, bits) B(2, BOTH, u32, statuses)       \
-    B(3, WRITE, u32x2, samples) B(4, SHARED, u32, failure)
-#define ADMIT_BINDINGS(B)                                                                    \
-    B(0, READ, u32, column_begins) B(1, READ, u32, buckets) B(2, READ, u32x4, candidates)    \
-    B(3, SHARED, u32, statuses) B(4, SHARED, u32, undecided) B(5, WRITE, u32x2, samples)        \
-    B(6, SHARED, u32, failure)
-#define ADMIT_IN_CELLS_BINDINGS(B)                                                \
-    ADMIT_BINDINGS(B) B(7, READ, u32, candidate_radii) B(8, READ, u32, column_of) \
-    B(9, READ, u32, row_of) B(10, READ, u32, pixel_reaches)
-#define INSERT_BINDINGS(B)                                                          \
-    B(0, READ, u32, undecided) B(1, READ, u32x4, candidates) B(2, READ, u32, statuses) \
-    B(3, WRITE, u32, grid_x) B(4, WRITE, u32, grid_y)
-#define COLLECT_BINDINGS(B)                                                                   \
-    B(0, READ, u32, undecided) B(1, READ, u32, column_begins) B(2, READ, u32, near_begins)   \
-    B(3, READ, u32x4, candidates) B(4, READ, u32, statuses) B(5, WRITE, u32, near_counts)       \
-    B(6, WRITE, u32x2, near) B(7, SHARED, u32, failure)
-#define SUBTRACT_BINDINGS(B)                                                                 \
-    B(0, READ, u32, undecided) B(1, READ, u32, near_begins) B(2, READ, u32, near_counts)     \
-    B(3, READ, u32x2, near) B(4, BOTH, u32x2, spans) B(5, BOTH, u32, span_counts)            \
-    B(6, BOTH, u32, free_lengths) B(7, SHARED, u32, overflow) B(8, SHARED, u32, failure)
-#define GROW_BINDINGS(B) \
-    B(0, READ, u32, span_counts) B(1, READ, u32x2, spans) B(2, WRITE, u32x2, new_spans)
-#define UNFOLD_BINDINGS(B)                                                                   \
-    B(0, READ, u32x2, spans) B(1, READ, u32, span_counts) B(2, BOTH, u32, counts)            \
-    B(3, READ, u32, sums) B(4, WRITE, u32x4, boxes)                   \
-    B(5, SHARED, u32, failure)
-#define CUT_BINDINGS(B)                                                                      \
-    B(0, READ, u32, undecided) B(1, READ, u32x4, boxes) B(2, READ, u32, grid_x)              \
-    B(3, READ, u32, grid_y) B(4, SHARED, u32, failure) B(5, BOTH, u32, counts)               \
-    B(6, BOTH, u32x2, strip_pieces) B(7, WRITE, u32, free_lengths)
-#define KEEP_BINDINGS(B)                                                                     \
-    CUT_BINDINGS(B) B(8, READ, u32, sums) B(9, WRITE, u32x4, new_boxes)
-#define SCAN_BINDINGS(B) \
-    B(0, BOTH, u32, counts) B(1, WRITE, u32, sums) B(2, SHARED, u32, failure)
-#define FIND_BIN_BEGINS_BINDINGS(B) \
-    B(0, READ, u32x4, new_boxes) B(1, READ, u32, total) B(2, WRITE, u32, bin_begins)
-#define SUBTRACT_IN_CELLS_BINDINGS(B)                                                        \
-    B(0, READ, u32, undecided) B(1, READ, u32x4, candidates) B(2, READ, u32, statuses)          \
-    B(3, READ, u32, column_of) B(4, READ, u32, row_of) B(5, READ, u32, row_begins)           \
-    B(6, READ, u32, pixel_radii) B(7, READ, u32, pixel_reaches)                              \
-    B(8, READ, u32, widest_rows) B(9, SHARED, u32, widest) B(10, SHARED, u32, bits)          \
-    B(11, SHARED, u32, free_lengths) B(12, READ, u32, todo) B(13, WRITE, u32, left)          \
-    B(14, SHARED, u32, left_count) B(15, SHARED, u32, failure)
+#define LOCATE_BINDINGS(B) B(0, READ, u32x2, spans) B(1, READ, u32, tile_begins)                \
+    B(2, READ, u32x4, draws) B(3, WRITE, u32x4, candidates) B(4, WRITE, u32, statuses)          \
+    B(5, SHARED, u32, report)
+#define LOCATE_IN_BOXES_BINDINGS(B) B(0, READ, u32x4, boxes) B(1, READ, u32x4, draws)           \
+    B(2, WRITE, u32x4, candidates) B(3, WRITE, u32, statuses)
+#define LOCATE_IN_CELLS_BINDINGS(B) B(0, READ, u32, bits) B(1, READ, u32x4, draws)              \
+    B(2, WRITE, u32x4, located) B(3, SHARED, u32, report)
+#define SORT_COLUMNS_BINDINGS(B) B(0, READ, u32, column_begins) B(1, READ, u32x4, located)      \
+    B(2, BOTH, u32, buckets) B(3, BOTH, u32x4, candidates) B(4, WRITE, u32, statuses)           \
+    B(5, SHARED, u32, report)
+#define LOOK_UP_RADII_BINDINGS(B) B(0, READ, u32x4, candidates) B(1, READ, u32, column_of)      \
+    B(2, READ, u32, row_of) B(3, READ, u32, pixel_radii) B(4, WRITE, u32, candidate_radii)
+#define SCREEN_BINDINGS(B) B(0, READ, u32x4, candidates) B(1, READ, u32, grid_x)                \
+    B(2, READ, u32, grid_y) B(3, BOTH, u32, statuses) B(4, SHARED, u32, outcomes)               \
+    B(5, SHARED, u32, report) B(6, SHARED, u32, cell_heads) B(7, WRITE, u32, next_candidates)
+#define SCREEN_IN_CELLS_BINDINGS(B) B(0, READ, u32x4, candidates) B(1, READ, u32, bits)         \
+    B(2, BOTH, u32, statuses) B(3, SHARED, u32, outcomes) B(4, SHARED, u32, report)
+#define ADMIT_BINDINGS(B) B(0, READ, u32x4, candidates) B(1, SHARED, u32, statuses)             \
+    B(2, SHARED, u32, report) B(3, SHARED, u32, outcomes) B(4, READ, u32, cell_heads)           \
+    B(5, READ, u32, next_candidates)
+#define ADMIT_IN_CELLS_BINDINGS(B) B(0, READ, u32, column_begins) B(1, READ, u32, buckets)      \
+    B(2, READ, u32x4, candidates) B(3, SHARED, u32, statuses) B(4, SHARED, u32, report)         \
+    B(5, SHARED, u32, outcomes) B(6, READ, u32, candidate_radii) B(7, READ, u32, column_of)     \
+    B(8, READ, u32, row_of) B(9, READ, u32, pixel_reaches)
+#define INSERT_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32x4, candidates)              \
+    B(2, READ, u32, statuses) B(3, WRITE, u32, grid_x) B(4, WRITE, u32, grid_y)                 \
+    B(5, WRITE, u32, cell_heads) B(6, SHARED, u32, new_cells)
+#define OPEN_LINES_BINDINGS(B) B(0, WRITE, u32x2, spans) B(1, WRITE, u32, span_counts)          \
+    B(2, WRITE, u32, tile_lengths)
+#define SUM_TILES_BINDINGS(B) B(0, READ, u32, tile_lengths) B(1, WRITE, u32, tile_begins)       \
+    B(2, WRITE, u32, results)
+#define COLLECT_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32, grid_x)                   \
+    B(2, READ, u32, grid_y) B(3, READ, u32, new_cells) B(4, WRITE, u32x2, near)                 \
+    B(5, WRITE, u32, near_counts)
+#define SUBTRACT_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32x2, near)                  \
+    B(2, READ, u32, near_counts) B(3, BOTH, u32x2, spans) B(4, BOTH, u32, span_counts)          \
+    B(5, BOTH, u32, tile_lengths)
+#define GROW_BINDINGS(B) B(0, READ, u32, span_counts) B(1, READ, u32x2, spans)                  \
+    B(2, WRITE, u32x2, new_spans)
+#define UNFOLD_BINDINGS(B) B(0, READ, u32x2, spans) B(1, READ, u32, span_counts)                \
+    B(2, BOTH, u32, counts) B(3, READ, u32, sums) B(4, READ, u32, tops)                         \
+    B(5, WRITE, u32x4, boxes) B(6, SHARED, u32, report)
+#define CUT_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32x4, boxes)                      \
+    B(2, READ, u32, grid_x) B(3, READ, u32, grid_y) B(4, BOTH, u32, counts)                     \
+    B(5, BOTH, u32x2, strip_pieces) B(6, WRITE, u32, results)
+#define KEEP_BINDINGS(B) CUT_BINDINGS(B) B(7, READ, u32, sums) B(8, READ, u32, tops)            \
+    B(9, WRITE, u32x4, new_boxes)
+#define SCAN_BINDINGS(B) B(0, BOTH, u32, counts) B(1, WRITE, u32, sums)                         \
+    B(2, SHARED, u32, report)
+#define COUNT_SAMPLES_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32, outcomes)           \
+    B(2, WRITE, u32, counts)
+#define LIST_SAMPLES_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32x4, candidates)        \
+    B(2, READ, u32, statuses) B(3, READ, u32, outcomes) B(4, READ, u32, counts)                 \
+    B(5, READ, u32, sums) B(6, READ, u32, tops) B(7, WRITE, u32, results)
+#define FIND_BIN_BEGINS_BINDINGS(B) B(0, READ, u32x4, new_boxes) B(1, SHARED, u32, report)      \
+    B(2, WRITE, u32, bin_begins)
+#define SUBTRACT_IN_CELLS_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32x4, candidates)   \
+    B(2, READ, u32, statuses) B(3, READ, u32, column_of) B(4, READ, u32, row_of)                \
+    B(5, READ, u32, row_begins) B(6, READ, u32, pixel_radii) B(7, READ, u32, pixel_reaches)     \
+    B(8, READ, u32, widest_rows) B(9, SHARED, u32, widest) B(10, SHARED, u32, bits)             \
+    B(11, SHARED, u32, free_lengths) B(12, READ, u32, todo) B(13, WRITE, u32, left)
 
 // Mode exact with a radius field. A box is x, width, begin, end. For each box origins[] has its
 // block and the least radius under it, with IS_EVEN if it is the only one
@@ -194,65 +215,58 @@ LACUNA_END
 // next node, first block and whole. factors[MOST_CLASSES * a + b] is for samples of classes a and b
 // (sheets.h). A visitor of a block is a candidate that reaches it, and the
 // number of the next visitor. The kernel split writes borders[] and strip_radii[].
-#define LOCATE_WITH_FIELD_BINDINGS(B) B(0, READ, u32, axes)                                   \
-    B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_nodes) B(3, READ, u32x4, boxes)       \
-    B(4, READ, u32x2, origins) B(5, READ, u32x4, draws) B(6, WRITE, u32x4, candidates)        \
-    B(7, WRITE, u32, candidate_radii) B(8, WRITE, u32, statuses) B(9, SHARED, u32, failure)
-#define SCREEN_WITH_FIELD_BINDINGS(B)                                                         \
-    B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32, lists)  \
-    B(3, READ, u32x4, entries) B(4, BOTH, u32, statuses) B(5, WRITE, u32x2, samples)            \
-    B(6, WRITE, u32, survivors) B(7, SHARED, u32, survivor_count) B(8, SHARED, u32, failure) \
-    B(9, READ, u32, factors) B(10, READ, u32, axes) B(11, READ, u32x4, ellipses)
-#define REACH_BINDINGS(B)                                                                    \
-    B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32, statuses)    \
-    B(3, READ, u32x4, tree_boxes) B(4, READ, u32x4, tree_links) B(5, READ, u32x2, node_of)  \
-    B(6, SHARED, u32, visitor_count) B(7, SHARED, u32, visitor_heads)                        \
-    B(8, WRITE, u32x2, visitors) B(9, READ, u32, survivors) B(10, READ, u32, survivor_count) \
-    B(11, SHARED, u32, failure) B(12, READ, u32, factors) B(13, READ, u32, axes)             \
-    B(14, READ, u32x4, ellipses) B(15, READ, u32, open_parts)
-#define ADMIT_WITH_FIELD_BINDINGS(B)                                                          \
-    B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, SHARED, u32, statuses)  \
-    B(3, READ, u32, visitor_heads) B(4, READ, u32x2, visitors) B(5, SHARED, u32, undecided)  \
-    B(6, WRITE, u32x2, samples) B(7, SHARED, u32, failure) B(8, READ, u32, factors)           \
-    B(9, READ, u32, axes) B(10, READ, u32x4, ellipses)
-#define ENLIST_BINDINGS(B)                                                                   \
-    B(0, READ, u32, undecided) B(1, READ, u32x4, candidates)                                 \
+#define LOCATE_WITH_FIELD_BINDINGS(B) B(0, READ, u32, axes) B(1, READ, u32x2, radius_bounds)    \
+    B(2, READ, u32, mask_nodes) B(3, READ, u32x4, boxes) B(4, READ, u32x2, origins)             \
+    B(5, READ, u32x4, draws) B(6, WRITE, u32x4, candidates) B(7, WRITE, u32, candidate_radii)   \
+    B(8, WRITE, u32, statuses) B(9, SHARED, u32, report)
+#define SCREEN_WITH_FIELD_BINDINGS(B) B(0, READ, u32x4, candidates)                             \
+    B(1, READ, u32, candidate_radii) B(2, READ, u32, lists) B(3, READ, u32x4, entries)          \
+    B(4, BOTH, u32, statuses) B(5, SHARED, u32, outcomes) B(6, WRITE, u32, survivors)           \
+    B(7, SHARED, u32, report) B(8, READ, u32, factors) B(9, READ, u32, axes)                    \
+    B(10, READ, u32x4, ellipses)
+#define REACH_BINDINGS(B) B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii)        \
+    B(2, READ, u32, statuses) B(3, READ, u32x4, tree_boxes) B(4, READ, u32x4, tree_links)       \
+    B(5, READ, u32x2, node_of) B(6, SHARED, u32, report) B(7, SHARED, u32, visitor_heads)       \
+    B(8, WRITE, u32x2, visitors) B(9, READ, u32, survivors) B(10, READ, u32, factors)           \
+    B(11, READ, u32, axes) B(12, READ, u32x4, ellipses) B(13, READ, u32, open_parts)
+#define ADMIT_WITH_FIELD_BINDINGS(B) B(0, READ, u32x4, candidates)                              \
+    B(1, READ, u32, candidate_radii) B(2, SHARED, u32, statuses) B(3, READ, u32, visitor_heads) \
+    B(4, READ, u32x2, visitors) B(5, SHARED, u32, report) B(6, SHARED, u32, outcomes)           \
+    B(7, READ, u32, factors) B(8, READ, u32, axes) B(9, READ, u32x4, ellipses)
+#define ENLIST_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32x4, candidates)              \
     B(2, READ, u32, candidate_radii) B(3, READ, u32, statuses) B(4, READ, u32, visitor_heads)   \
-    B(5, READ, u32x2, visitors) B(6, SHARED, u32, entry_count) B(7, WRITE, u32x4, entries)   \
-    B(8, BOTH, u32, lists) B(9, SHARED, u32, failure) B(10, READ, u32x2, node_of)            \
-    B(11, READ, u32x4, tree_boxes) B(12, READ, u32x4, tree_links) B(13, READ, u32, factors)  \
-    B(14, SHARED, u32, open_parts)
-#define SPLIT_BINDINGS(B)                                                                    \
-    B(0, READ, u32, undecided) B(1, READ, u32, axes) B(2, READ, u32x2, radius_bounds)        \
-    B(3, READ, u32, mask_nodes) B(4, READ, u32x4, boxes) B(5, READ, u32x2, origins)           \
-    B(6, WRITE, u32x4, borders) B(7, WRITE, u32x4, strip_radii) B(8, SHARED, u32, failure)
-#define CUT_WITH_FIELD_BINDINGS(B)                                                           \
-    B(0, READ, u32, undecided) B(1, READ, u32x4, boxes) B(2, READ, u32x2, origins)           \
-    B(3, READ, u32, lists) B(4, READ, u32x4, entries) B(5, READ, u32x4, borders)             \
-    B(6, READ, u32x4, strip_radii) B(7, SHARED, u32, failure) B(8, BOTH, u32, counts)        \
-    B(9, BOTH, u32x2, strip_pieces) B(10, WRITE, u32x2, new_origins) B(11, READ, u32, factors) \
-    B(12, READ, u32, axes) B(13, READ, u32x4, ellipses)
-#define KEEP_WITH_FIELD_BINDINGS(B)                                                          \
-    CUT_WITH_FIELD_BINDINGS(B) B(14, READ, u32, sums) B(15, WRITE, u32x4, new_boxes)
-#define MEASURE_BINDINGS(B)                                                                  \
-    B(0, READ, u32, undecided) B(1, READ, u32, axes) B(2, READ, u32x2, radius_bounds)        \
-    B(3, READ, u32, mask_nodes) B(4, READ, u32x4, new_boxes) B(5, BOTH, u32x2, new_origins)   \
-    B(6, READ, u32, total) B(7, SHARED, u32, failure)
+    B(5, READ, u32x2, visitors) B(6, WRITE, u32x4, entries) B(7, BOTH, u32, lists)              \
+    B(8, READ, u32x2, node_of) B(9, READ, u32x4, tree_boxes) B(10, READ, u32x4, tree_links)     \
+    B(11, READ, u32, factors) B(12, SHARED, u32, open_parts)
+#define SPLIT_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32, axes)                       \
+    B(2, READ, u32x2, radius_bounds) B(3, READ, u32, mask_nodes) B(4, READ, u32x4, boxes)       \
+    B(5, READ, u32x2, origins) B(6, WRITE, u32x4, borders) B(7, WRITE, u32x4, strip_radii)
+#define CUT_WITH_FIELD_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32x4, boxes)           \
+    B(2, READ, u32x2, origins) B(3, READ, u32, lists) B(4, READ, u32x4, entries)                \
+    B(5, READ, u32x4, borders) B(6, READ, u32x4, strip_radii) B(7, BOTH, u32, counts)           \
+    B(8, BOTH, u32x2, strip_pieces) B(9, WRITE, u32x2, new_origins) B(10, READ, u32, factors)   \
+    B(11, READ, u32, axes) B(12, READ, u32x4, ellipses)
+#define KEEP_WITH_FIELD_BINDINGS(B) CUT_WITH_FIELD_BINDINGS(B) B(13, READ, u32, sums)           \
+    B(14, READ, u32, tops) B(15, WRITE, u32x4, new_boxes)
+#define MEASURE_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32, axes)                     \
+    B(2, READ, u32x2, radius_bounds) B(3, READ, u32, mask_nodes) B(4, READ, u32x4, new_boxes)   \
+    B(5, BOTH, u32x2, new_origins) \
+    B(6, WRITE, u32, results)
 
 // All buffers. A kernel has the buffers that its bindings name.
 #define LACUNA_BUFFERS(B)                                                                         \
     B(u32x4, draws) B(u32x4, located) B(u32, column_begins) B(u32, buckets) B(u32x4, candidates)  \
-    B(u32, statuses) B(u32, undecided) B(u32x2, samples) B(u32, failure) B(u32, free_lengths)     \
-    B(u32x2, spans) B(u32x2, new_spans) B(u32, span_counts) B(u32, overflow) B(u32, near_begins)  \
-    B(u32, near_counts) B(u32x2, near) B(u32, grid_x) B(u32, grid_y) B(u32x4, boxes)              \
-    B(u32x4, new_boxes) B(u32, counts) B(u32, sums) B(u32, total) B(u32x2, strip_pieces)          \
+    B(u32, statuses) B(u32, report) B(u32, outcomes) B(u32, results) B(u32, free_lengths)     \
+    B(u32x2, spans) B(u32x2, new_spans) B(u32, span_counts) B(u32, tile_lengths) \
+    B(u32, tile_begins) B(u32, cell_heads) B(u32, next_candidates) B(u32, new_cells) B(u32x2, near) B(u32, near_counts) B(u32, grid_x) B(u32, grid_y) B(u32x4, boxes)              \
+    B(u32x4, new_boxes) B(u32, counts) B(u32, sums) B(u32, tops) B(u32x2, strip_pieces)          \
     B(u32, bin_begins) B(u32, bits) B(u32, widest) B(u32, widest_rows) B(u32, column_of)          \
     B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii) B(u32, pixel_reaches)                   \
-    B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, left_count) B(u32, axes)             \
+    B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, axes)             \
     B(u32x2, radius_bounds) B(u32, mask_nodes) B(u32x2, origins) B(u32x2, new_origins)            \
     B(u32x4, borders) B(u32x4, strip_radii) B(u32x4, tree_boxes) B(u32x4, tree_links) B(u32x2, node_of) \
-    B(u32, visitor_count) B(u32, visitor_heads) B(u32x2, visitors) B(u32, lists)                  \
-    B(u32x4, entries) B(u32, entry_count) B(u32, survivors) B(u32, survivor_count) B(u32, factors) \
+    B(u32, visitor_heads) B(u32x2, visitors) B(u32, lists)                  \
+    B(u32x4, entries) B(u32, survivors) B(u32, factors) \
     B(u32x4, ellipses) B(u32, open_parts)                                                         \
     LACUNA_RELAX_BUFFERS(B)
 
@@ -264,18 +278,21 @@ LACUNA_END
     K(sort_columns, ColumnArguments, SORT_COLUMNS_BINDINGS)           \
     K(look_up_radii, DrawArguments, LOOK_UP_RADII_BINDINGS)           \
     K(screen, DrawArguments, SCREEN_BINDINGS)                         \
-    K(screen_on_lines, SlabArguments, SCREEN_ON_LINES_BINDINGS)       \
     K(screen_in_cells, DrawArguments, SCREEN_IN_CELLS_BINDINGS)       \
     K(admit, DrawArguments, ADMIT_BINDINGS)                           \
     K(admit_in_cells, DrawArguments, ADMIT_IN_CELLS_BINDINGS)         \
     K(insert, DrawArguments, INSERT_BINDINGS)                         \
-    K(collect, ColumnArguments, COLLECT_BINDINGS)                       \
+    K(collect, SlabArguments, COLLECT_BINDINGS)                       \
     K(subtract, SlabArguments, SUBTRACT_BINDINGS)                     \
+    K(open_lines, SlabArguments, OPEN_LINES_BINDINGS)                 \
+    K(sum_tiles, SlabArguments, SUM_TILES_BINDINGS)                   \
     K(grow, SlabArguments, GROW_BINDINGS)                             \
     K(unfold, SlabArguments, UNFOLD_BINDINGS)                         \
     K(cut, StripArguments, CUT_BINDINGS)                              \
     K(keep, StripArguments, KEEP_BINDINGS)                            \
     K(scan, ScanArguments, SCAN_BINDINGS)                             \
+    K(count_samples, SampleArguments, COUNT_SAMPLES_BINDINGS)         \
+    K(list_samples, SampleArguments, LIST_SAMPLES_BINDINGS)           \
     K(find_bin_begins, ColumnArguments, FIND_BIN_BEGINS_BINDINGS) \
     K(subtract_in_cells, DrawArguments, SUBTRACT_IN_CELLS_BINDINGS)   \
     K(locate_with_field, DrawArguments, LOCATE_WITH_FIELD_BINDINGS)     \

@@ -59,51 +59,42 @@ LACUNA_END
 // lattice; `winners` are numbers of rivals. `limited` are sites with the weights that they may
 // have.
 // clang-format off
-#define LEVEL_SITES_BINDINGS(B)                                                    \
-    B(0, BOTH, u32x4, sites) B(1, BOTH, u32x4, node_boxes)                          \
+#define LEVEL_SITES_BINDINGS(B) B(0, BOTH, u32x4, sites) B(1, BOTH, u32x4, node_boxes)          \
     B(2, BOTH, u32x2, node_weights)
-#define FIND_HINTS_BINDINGS(B)                                                      \
-    B(0, READ, u32x4, sites) B(1, READ, u32x4, node_boxes)                          \
-    B(2, READ, u32x2, node_weights) B(3, READ, u32, units) B(4, READ, u32, tile_leaves) \
-    B(5, READ, u32, indices) B(6, WRITE, u32, hints) B(7, SHARED, u32, failure)
-#define FIND_RIVALS_BINDINGS(B)                                                     \
-    B(0, READ, u32x4, sites) B(1, READ, u32x4, node_boxes)                          \
-    B(2, READ, u32x2, node_weights) B(3, READ, u32, units) B(4, READ, u32, tile_leaves) \
-    B(5, READ, u32, indices) B(6, READ, u32, hints) B(7, WRITE, u32x4, rivals)      \
-    B(8, WRITE, u32, rival_ids) B(9, WRITE, u32, rival_counts) B(10, WRITE, u32, late) \
-    B(11, SHARED, u32, late_count) B(12, SHARED, u32, failure)
-#define ASSIGN_BINDINGS(B)                                                             \
-    B(0, READ, u32x4, sites) B(1, READ, u32, units) B(2, READ, u32, tile_leaves)    \
-    B(3, WRITE, u32, hints) B(4, READ, u32x4, rivals) B(5, READ, u32, rival_ids)    \
-    B(6, READ, u32, rival_counts) B(7, BOTH, u32, winners) B(8, READ, u32, masses)  \
-    B(9, SHARED, u32, shares) B(10, SHARED, u32, moments) B(11, WRITE, u32, late)   \
-    B(12, SHARED, u32, late_count) B(13, SHARED, u32, failure)
-#define TELL_OWNERS_BINDINGS(B)                                                     \
-    B(0, READ, u32, units) B(1, READ, u32, tile_leaves) B(2, READ, u32x4, rivals)   \
-    B(3, READ, u32, rival_counts) B(4, READ, u32, masses) B(5, WRITE, u32, owners)  \
-    B(6, SHARED, u32, failure)
-#define ASSIGN_CROWDED_BINDINGS(B)                                                     \
-    B(0, READ, u32x4, sites) B(1, READ, u32x4, node_boxes)                          \
-    B(2, READ, u32x2, node_weights) B(3, READ, u32, units) B(4, READ, u32, indices)   \
-    B(5, READ, u32, hints) B(6, READ, u32, masses) B(7, SHARED, u32, shares)        \
-    B(8, SHARED, u32, moments) B(9, WRITE, u32, owners) B(10, SHARED, u32, failure)
-#define LIMIT_BINDINGS(B)                                                           \
-    B(0, READ, u32x4, sites) B(1, READ, u32x4, node_boxes) B(2, BOTH, u32x4, limited) \
-    B(3, SHARED, u32, failure)
-#define MOVE_BINDINGS(B)                                                          \
-    B(0, BOTH, u32x4, sites) B(1, READ, u32, shares) B(2, READ, u32, moments)
+#define FIND_HINTS_BINDINGS(B) B(0, READ, u32x4, sites) B(1, READ, u32x4, node_boxes)           \
+    B(2, READ, u32x2, node_weights) B(3, READ, u32, units) B(4, READ, u32, tile_leaves)         \
+    B(5, READ, u32, indices) B(6, WRITE, u32, hints) B(7, SHARED, u32, report)
+#define FIND_RIVALS_BINDINGS(B) B(0, READ, u32x4, sites) B(1, READ, u32x4, node_boxes)          \
+    B(2, READ, u32x2, node_weights) B(3, READ, u32, units) B(4, READ, u32, tile_leaves)         \
+    B(5, READ, u32, indices) B(6, READ, u32, hints) B(7, WRITE, u32x4, rivals)                  \
+    B(8, WRITE, u32, rival_ids) B(9, WRITE, u32, rival_counts) B(10, WRITE, u32, late)          \
+    B(11, SHARED, u32, late_count) B(12, SHARED, u32, report)
+#define ASSIGN_BINDINGS(B) B(0, READ, u32x4, sites) B(1, READ, u32, units)                      \
+    B(2, READ, u32, tile_leaves) B(3, WRITE, u32, hints) B(4, READ, u32x4, rivals)              \
+    B(5, READ, u32, rival_ids) B(6, READ, u32, rival_counts) B(7, BOTH, u32, winners)           \
+    B(8, READ, u32, masses) B(9, SHARED, u32, shares) B(10, SHARED, u32, moments)               \
+    B(11, WRITE, u32, late) B(12, SHARED, u32, late_count) B(13, SHARED, u32, report)
+#define TELL_OWNERS_BINDINGS(B) B(0, READ, u32, units) B(1, READ, u32, tile_leaves)             \
+    B(2, READ, u32x4, rivals) B(3, READ, u32, rival_counts) B(4, READ, u32, masses)             \
+    B(5, WRITE, u32, owners) B(6, SHARED, u32, report)
+#define ASSIGN_CROWDED_BINDINGS(B) B(0, READ, u32x4, sites) B(1, READ, u32x4, node_boxes)       \
+    B(2, READ, u32x2, node_weights) B(3, READ, u32, units) B(4, READ, u32, indices)             \
+    B(5, READ, u32, hints) B(6, READ, u32, masses) B(7, SHARED, u32, shares)                    \
+    B(8, SHARED, u32, moments) B(9, WRITE, u32, owners) B(10, SHARED, u32, report)
+#define LIMIT_BINDINGS(B) B(0, READ, u32x4, sites) B(1, READ, u32x4, node_boxes)                \
+    B(2, BOTH, u32x4, limited) B(3, SHARED, u32, report)
+#define MOVE_BINDINGS(B) B(0, BOTH, u32x4, sites) B(1, READ, u32, shares)                       \
+    B(2, READ, u32, moments)
 // A mover is x, y and its momentum along both; its id is the sample's number.
-#define FIND_CELLS_BINDINGS(B)                                                          \
-    B(0, READ, u32x4, movers) B(1, SHARED, u32, counts) B(2, WRITE, u32, ranks)
-#define SORT_INTO_CELLS_BINDINGS(B)                                                    \
-    B(0, READ, u32x4, movers) B(1, READ, u32, mover_ids) B(2, READ, u32, ranks)           \
-    B(3, READ, u32, counts) B(4, READ, u32, sums) B(5, WRITE, u32x4, sorted_movers)       \
-    B(6, WRITE, u32, sorted_ids)
-#define DESCEND_BINDINGS(B)                                                             \
-    B(0, READ, u32x4, sorted_movers) B(1, READ, u32, sorted_ids) B(2, READ, u32, counts) \
-    B(3, READ, u32, sums) B(4, READ, u32, weights) B(5, READ, u32, edges)               \
-    B(6, READ, u32, column_reaches) B(7, WRITE, u32x4, movers) B(8, WRITE, u32, mover_ids) \
-    B(9, SHARED, u32, failure)
+#define FIND_CELLS_BINDINGS(B) B(0, READ, u32x4, movers) B(1, SHARED, u32, counts)              \
+    B(2, WRITE, u32, ranks)
+#define SORT_INTO_CELLS_BINDINGS(B) B(0, READ, u32x4, movers) B(1, READ, u32, mover_ids)        \
+    B(2, READ, u32, ranks) B(3, READ, u32, counts) B(4, READ, u32, sums) B(5, READ, u32, tops)  \
+    B(6, WRITE, u32x4, sorted_movers) B(7, WRITE, u32, sorted_ids)
+#define DESCEND_BINDINGS(B) B(0, READ, u32x4, sorted_movers) B(1, READ, u32, sorted_ids)        \
+    B(2, READ, u32, counts) B(3, READ, u32, sums) B(4, READ, u32, tops) B(5, READ, u32, weights)\
+    B(6, READ, u32, edges) B(7, READ, u32, column_reaches) B(8, WRITE, u32x4, movers)           \
+    B(9, WRITE, u32, mover_ids) B(10, SHARED, u32, report)
 
 #define LACUNA_RELAX_BUFFERS(B)                                                                 \
     B(u32x4, sites) B(u32x4, node_boxes) B(u32x2, node_weights) B(u32, units)       \

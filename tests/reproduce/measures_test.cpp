@@ -58,7 +58,7 @@ TEST(AreaByCells, IsRightOnAverage) {
 
 TEST(MissingAlongTheEdge, IsMostWithMaxLessWithMeanAndBelowZeroWithMin) {
     const Setting setting;
-    Work work(setting, 24);
+    reproduce::Work work(setting, 24);
     const Step step{0.02, 10};
     const auto missing = [&](Metric metric) { return missing_along_edge(step, metric, 8, work); };
     const Mean max = missing(Metric::max);
@@ -98,7 +98,7 @@ TEST(ToneError, KnowsThatTheFirstRowIsTheTop) {
 TEST(Stipple, HasTheDotsAskedForInTheImagesShape) {
     const Field image{4, 2, std::vector<double>(8, 1.0)};
     const Setting setting;
-    Work work(setting, 1);
+    reproduce::Work work(setting, 1);
     const auto dots = stipple(image, 300, Metric::min, work, 1).points[0];
     EXPECT_EQ(dots.size(), 300U);
     EXPECT_LT(tone_error(image, dots, 4), 0.1);

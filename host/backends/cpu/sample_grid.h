@@ -76,7 +76,9 @@ public:
     // 4 x 4 cells. Away from edges all are compared without a branch, which could not be predicted.
     // Empty cells, at (-1, -1), and marks, at (-1, -2), are farther away than the radius.
     bool is_covered(const Candidate& candidate) const {
-        const auto& [x, y, line, order] = candidate;
+        // Not a structured binding: clang 14 lets no lambda use one.
+        const std::uint32_t x = candidate.x;
+        const std::uint32_t y = candidate.y;
         if (is_inside(x, x + 1, y, y + 1)) {
             const Sample* const cells =
                 column((x - plan_.radius) / side_) + (y - plan_.radius) / side_;

@@ -20,32 +20,36 @@ public:
     Bins(const Bins&) = delete;
     Bins& operator=(const Bins&) = delete;
 
-    // The first bin of each column, then the number of bins.
-    virtual std::span<const std::uint32_t> begins() const = 0;
+    // Round::bin_begins.
+    virtual std::span<const std::uint32_t> begins() const { return {}; }
+    // If candidates are sorted column by column: the first bin of each column, then the number of
+    // bins. Otherwise empty.
+    virtual std::span<const std::uint32_t> sorted_columns() const { return {}; }
     // The limits of the parts of a round of `count` draws.
     virtual PartLimits part_limits(std::uint32_t) const { return {}; }
-    // Called after a part of the round's draws, or of restored candidates, was opened.
-    virtual void begin_part() = 0;
+    // Called once a round's draws, or restored candidates, are uploaded.
+    virtual void begin_round() {}
+    // Called after a part of them was opened.
+    virtual void begin_part() {}
     virtual void locate(std::span<const Draw> draws) = 0;
     // Sorts the located candidates into the order that admit needs.
-    virtual void sort() { round_.sort(); }
+    virtual void sort() {}
     // Gives undecided draws this status if samples cover them: in exact, before the first pass of
     // the first part, samples of earlier rounds; in all modes, before a later part, samples of
-    // earlier parts.
-    virtual void screen(Range draws, std::uint32_t status) = 0;
+    // earlier parts. With `opens` the draws are the open part, and admit may look for them.
+    virtual void screen(Range draws, std::uint32_t status, bool opens) = 0;
     virtual void admit(std::uint32_t pass) = 0;
     virtual void subtract() = 0;
-    // Cuts the part's samples from the bins, so that screen sees them. In exact it only puts
-    // them into the grid, and subtract is still to do.
-    virtual void take_out() { subtract(); }
-    virtual bool is_cut_by_take_out() const { return true; }
+    // Puts the part's samples where screen finds them. At the end of the round subtract or refine
+    // does so for the last part.
+    virtual void take_out() = 0;
     virtual void refine(bool halve) = 0;
 
-    // Queues the download of the round's results and flags.
-    virtual void start_download() = 0;
-    // Queues what these flags show that the round still needs; returns false if that is nothing.
-    virtual bool queue_rest() = 0;
-    // Called after queue_rest() has returned false.
+    // Queues what the report shows that the round still needs; returns false if that is nothing.
+    virtual bool queue_rest() { return false; }
+    // Queues the download of the results of subtract or refine, once the round is complete.
+    virtual void download() = 0;
+    // Called once they have arrived.
     virtual void end_round() {}
 
     virtual std::span<const std::uint32_t> free_lengths() const = 0;
@@ -56,10 +60,9 @@ public:
     virtual std::span<const std::uint32_t> sheet_ends() const { return {}; }
     virtual void snapshot(Snapshot& snapshot) = 0;
     virtual void restore(const Snapshot& snapshot) = 0;
-    // Uploads restored candidates, which sort() then sorts. Waits.
+    // Uploads restored candidates. Waits.
     virtual void put_candidates(std::vector<Candidate>& candidates) {
-        round_.put<Candidate>(round_.memory.located, candidates);
-        round_.queue.wait();
+        round_.put_in_room<Candidate>(round_.memory.candidates, candidates);
     }
 
 protected:

@@ -27,20 +27,15 @@ static_assert(sizeof(Box) == 4 * kWord);
 
 Boxes::Boxes(RoundMemory& round, std::uint32_t width) : round_(round), width_(width) {
     round_.make_room(round_.memory.bin_begins, round_.geometry.columns + std::uint64_t{1});
-    make_room_to_scan(round_, 0);
 }
 
 void Boxes::put(std::span<const Box> boxes, std::span<const std::uint32_t> origins) {
     count_ = static_cast<std::uint32_t>(boxes.size());
     round_.put_in_room<Box>(round_.memory.boxes, boxes);
     if (has_field()) round_.put_in_room<std::uint32_t>(round_.memory.origins, origins);
-    new_boxes_.assign(boxes.begin(), boxes.end());
-    find_sizes();
+    set_sizes(boxes);
     bin_begins_.clear();
-    if (has_field()) {
-        bin_begins_ = {0, count_};
-        return;
-    }
+    if (has_field()) return;
     for (const std::uint32_t line : first_lines(round_.plan, round_.geometry.columns)) {
         const auto first = std::partition_point(boxes.begin(), boxes.end(), [&](const auto& box) {
             return box.x / round_.plan.strip_width < line;
@@ -56,14 +51,12 @@ std::vector<Box> Boxes::get() const {
     return boxes;
 }
 
-void Boxes::find_sizes() {
-    free_lengths_.clear();
-    widths_.clear();
-    for (const Box& box : std::span(new_boxes_).first(count_)) {
-        free_lengths_.push_back(box.end - box.begin);
-        widths_.push_back(box.width);
-    }
-    if (has_field()) sheet_ends_ = sheet_ends_of(round_.plan, std::span(new_boxes_).first(count_));
+void Boxes::set_sizes(std::span<const Box> boxes) {
+    sizes_.clear();
+    for (const Box& box : boxes) sizes_.push_back(box.end - box.begin);
+    if (!has_field()) return;
+    for (const Box& box : boxes) sizes_.push_back(box.width);
+    sheet_ends_ = sheet_ends_of(round_.plan, boxes);
 }
 
 void Boxes::make_room(std::uint32_t count) {
@@ -89,16 +82,17 @@ template <typename Kernel>
 void Boxes::launch_over_boxes(std::uint32_t count, std::uint32_t chunk, std::uint64_t work_of_box) {
     // With a radius field there is no halo, and x reaches over all sheets.
     const Span own = has_field() ? Span{0, ~std::uint32_t{0}} : round_.plan.own_x();
-    const portable::StripArguments arguments{.chunk = chunk,
-                                             .g = round_.geometry,
-                                             .boxes = count_,
-                                             .strip_bits = strip_bits(),
-                                             .last_pass = kPasses - 1,
-                                             .block_bits = block_bits_of_scan(count_),
-                                             .room = refinement_->room,
-                                             .first_recent = refinement_->first_recent,
-                                             .own_begin = own.begin,
-                                             .own_width = own.end - own.begin};
+    const portable::StripArguments arguments{
+        .chunk = chunk,
+        .g = round_.geometry,
+        .boxes = count_,
+        .strip_bits = strip_bits(),
+        .last_pass = kPasses - 1,
+        .block_bits = block_bits_of_scan(count_ + portable::words_of_column(round_.draw_count)),
+        .room = refinement_->room,
+        .first_recent = refinement_->first_recent,
+        .own_begin = own.begin,
+        .own_width = own.end - own.begin};
     launch<Kernel>(round_.queue, round_.memory, arguments, items_of(count, chunk),
                    work_of_box * chunk);
 }
@@ -110,7 +104,7 @@ void Boxes::refine(bool halve, std::uint32_t first_recent) {
     // rounds, and a driver clears new memory page by page.
     const std::uint64_t boxes = std::max<std::uint64_t>(count_, room_for_boxes(round_.plan));
     round_.make_room(m.strip_pieces, 2 * boxes << strip_bits());
-    make_room_to_scan(round_, boxes);
+    make_room_to_scan(round_, boxes + portable::words_of_column(round_.draw_count));
     make_room_for_pieces();
     if (has_field()) {
         round_.make_room(m.borders, halve ? 4 * boxes : 0);
@@ -123,8 +117,15 @@ void Boxes::refine(bool halve, std::uint32_t first_recent) {
         launch_over_boxes<kernels::cut>(count_, round_.queue.chunk_of(count_),
                                         kCutWork << strip_bits());
     }
-    scan(round_.queue, round_.memory, count_);
+    round_.count_samples(listing());
     keep();
+}
+
+RoundMemory::Listing Boxes::listing() const {
+    return {.counts_before = count_,
+            .words_of_bin = has_field() ? 2u : 1u,
+            .bins = 0,
+            .room = refinement_->room};
 }
 
 void Boxes::make_room_for_pieces() {
@@ -132,10 +133,9 @@ void Boxes::make_room_for_pieces() {
     const std::uint64_t room =
         std::max<std::uint64_t>(refinement_->room, room_for_boxes(round_.plan));
     round_.make_room(m.new_boxes, 4 * room);
-    if (has_field())
-        round_.make_room(m.new_origins, 2 * room);
-    else
-        round_.make_room(m.free_lengths, room);
+    if (has_field()) round_.make_room(m.new_origins, 2 * room);
+    round_.make_room_for_listing(
+        {count_, listing().words_of_bin, 0, static_cast<std::uint32_t>(room)});
 }
 
 void Boxes::keep() {
@@ -146,49 +146,44 @@ void Boxes::keep() {
                                                     kKeepWork);
         const std::uint32_t room = refinement_->room;
         launch_over_boxes<kernels::measure>(room, round_.queue.run_of(room), kMeasureWork);
-        return;
+    } else {
+        launch_over_boxes<kernels::keep>(count_, round_.queue.run_of(count_), kKeepWork);
     }
-    launch_over_boxes<kernels::keep>(count_, round_.queue.run_of(count_), kKeepWork);
+    round_.list_samples(listing());
+    if (has_field() || !round_.plan.tells_orders) return;
     launch<kernels::find_bin_begins>(
         round_.queue, round_.memory,
         {.last_pass = kPasses - 1, .g = round_.geometry, .room = refinement_->room},
         round_.geometry.columns + std::uint64_t{1});
 }
 
-void Boxes::start_download() {
-    round_.get<std::uint32_t>(round_.memory.total, total_);
-    if (!refinement_) return;
-    if (has_field()) {
-        new_boxes_.resize(refinement_->room);
-        round_.get<Box>(round_.memory.new_boxes, new_boxes_);
-        return;
-    }
-    bin_begins_.resize(round_.geometry.columns + std::size_t{1});
-    free_lengths_.resize(refinement_->room);
-    round_.get<std::uint32_t>(round_.memory.bin_begins, bin_begins_);
-    round_.get<std::uint32_t>(round_.memory.free_lengths, free_lengths_);
-}
-
 bool Boxes::queue_rest() {
-    if (!refinement_ || total_.front() <= refinement_->room) return false;
-    refinement_->room = total_.front();
+    if (!refinement_ || round_.new_boxes() <= refinement_->room) return false;
+    refinement_->room = round_.new_boxes();
     make_room_for_pieces();
     keep();
     return true;
 }
 
-bool Boxes::end_round() {
-    if (!refinement_) return false;
+void Boxes::download() {
+    round_.download_results(sizes_, std::size_t{listing().words_of_bin} * round_.new_boxes());
+    if (has_field() && round_.plan.field().sheets.are_several()) {
+        new_boxes_.resize(round_.new_boxes());
+        round_.get<Box>(round_.memory.new_boxes, new_boxes_);
+    }
+    if (has_field() || !round_.plan.tells_orders) return;
+    bin_begins_.resize(round_.geometry.columns + std::size_t{1});
+    round_.get<std::uint32_t>(round_.memory.bin_begins, bin_begins_);
+}
+
+void Boxes::end_round() {
     Memory& m = round_.memory;
     std::swap(m.boxes, m.new_boxes);
     std::swap(m.origins, m.new_origins);
     if (refinement_->is_halving) width_ /= 2;
     refinement_.reset();
-    count_ = total_.front();
-    if (!has_field()) return true;
-    bin_begins_ = {0, count_};
-    find_sizes();
-    return true;
+    count_ = round_.new_boxes();
+    if (has_field()) sheet_ends_ = sheet_ends_of(round_.plan, new_boxes_);
 }
 
 }  // namespace lacuna::device

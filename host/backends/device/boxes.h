@@ -22,13 +22,12 @@ public:
 
     // The width of every box; not with a radius field, where widths() has it.
     std::uint32_t width() const { return width_; }
-    // The first box of each column of lines, then the number of boxes. With a radius field there is
-    // one column.
+    // The first box of each column of lines, then the number of boxes: for Round::bin_begins.
     std::span<const std::uint32_t> begins() const { return bin_begins_; }
-    std::span<const std::uint32_t> free_lengths() const {
-        return std::span(free_lengths_).first(count_);
+    std::span<const std::uint32_t> free_lengths() const { return std::span(sizes_).first(count_); }
+    std::span<const std::uint32_t> widths() const {
+        return has_field() ? std::span(sizes_).subspan(count_, count_) : std::span(sizes_).first(0);
     }
-    std::span<const std::uint32_t> widths() const { return std::span(widths_).first(count_); }
     // With classes, as in Round.
     std::span<const std::uint32_t> sheet_ends() const { return sheet_ends_; }
 
@@ -44,11 +43,10 @@ public:
     // before.
     void refine(bool halve, std::uint32_t first_recent = 0);
 
-    void start_download();
     // Returns true if there were more pieces than room. Then it queues writing them with more room.
     bool queue_rest();
-    // Returns whether there was a refinement.
-    bool end_round();
+    void download();
+    void end_round();
 
 private:
     // A refinement that has been queued.
@@ -64,21 +62,20 @@ private:
     // Serves the first `count` boxes, or new boxes, `chunk` of them for each item.
     template <typename Kernel>
     void launch_over_boxes(std::uint32_t count, std::uint32_t chunk, std::uint64_t work_of_box);
+    RoundMemory::Listing listing() const;
     void make_room_for_pieces();
     void keep();
-    void find_sizes();
+    void set_sizes(std::span<const Box> boxes);
 
     RoundMemory& round_;
     std::uint32_t width_;
     std::uint32_t count_ = 0;
     std::vector<std::uint32_t> bin_begins_;
-    std::vector<std::uint32_t> free_lengths_;
-    std::vector<std::uint32_t> widths_;  // with a radius field
+    std::vector<std::uint32_t> sizes_;  // lengths; with a radius field then widths
     std::vector<std::uint32_t> sheet_ends_;
-    std::vector<Box> new_boxes_;  // with a radius field, as downloaded
+    std::vector<Box> new_boxes_;  // with classes, as downloaded
 
     std::optional<Refinement> refinement_;
-    std::array<std::uint32_t, 1> total_{};  // pieces of all boxes
 };
 
 }  // namespace lacuna::device

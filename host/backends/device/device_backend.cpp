@@ -26,61 +26,59 @@ public:
     DeviceBackend& operator=(const DeviceBackend&) = delete;
 
     std::string device() const override { return queue_->device().name; }
+    Work work() const override { return queue_->work(); }
     Workers& workers() override { return workers_; }
+    void time_verbs() override { times_verbs_ = true; }
     void watch(std::function<bool()> may_go_on) override {
         workers_.watch(may_go_on);
         queue_->watch(std::move(may_go_on));
     }
 
-    // Each verb waits, so that an observer can tell their times apart.
     void locate(std::span<const Draw> draws) override {
         finish();
         const auto count = static_cast<std::uint32_t>(draws.size());
-        round_.upload(draws, bins_->begins(), bins_->part_limits(count));
+        round_.upload(draws, bins_->sorted_columns(), bins_->part_limits(count));
+        bins_->begin_round();
         for_parts([&](std::uint32_t) {
             bins_->locate(round_.draws_of_part());
             bins_->sort();
         });
-        queue_->wait();
+        wait_for_verb();
         stage_ = Stage::located;
     }
 
     // Part by part: each part's samples are taken out of the bins before the next part.
     void admit() override {
         expect(stage_ == Stage::located);
-        if (round_.plan.is_exact()) bins_->screen({0, round_.draw_count}, STATUS_COVERED);
+        const bool is_one = round_.parts() == 1;
+        bins_->screen({0, round_.draw_count},
+                      round_.plan.is_exact() ? STATUS_COVERED : STATUS_UNDECIDED, is_one);
         std::vector<bool> is_done(round_.parts(), false);
         for (std::uint32_t part = 0; part < round_.parts(); ++part) {
             if (is_done[part]) continue;
             if (part > 0) end_part([&] { bins_->take_out(); });
-            if (round_.parts() > 1) open_part(part);
-            if (part > 0) screen_again(part, is_done);
+            if (!is_one) open_part(part);
+            if (!is_one) screen_again(part, is_done);
             if (!is_done[part]) queue_passes();
         }
-        queue_->wait();
+        wait_for_verb();
         stage_ = Stage::admitted;
     }
 
-    void subtract() override {
-        if (stage_ == Stage::located || !bins_->is_cut_by_take_out())
-            end_earlier_parts([&] { bins_->subtract(); });
-        end_round(Stage::subtracted);
-    }
+    void subtract() override { end_round(Stage::subtracted); }
 
-    void refine(bool halve) override {
-        if (stage_ == Stage::located) end_earlier_parts([&] { bins_->take_out(); });
-        end_round(halve ? Stage::halved : Stage::refined);
-    }
+    void refine(bool halve) override { end_round(halve ? Stage::halved : Stage::refined); }
 
     Round finish_round() override {
         finish();
-        const std::uint64_t survivors = take_admitted(round_.by_order, samples_);
-        if (round_.plan.tells_orders) find_orders();
-        return {samples_,        survivors, bins_->free_lengths(), bins_->width(),
-                bins_->widths(), orders_,   bins_->begins(),       bins_->sheet_ends()};
+        round_.take_samples(samples_);
+        if (round_.plan.tells_orders) round_.find_orders(orders_);
+        return {samples_,        round_.survivors(), bins_->free_lengths(),
+                bins_->width(),  bins_->widths(),    orders_,
+                bins_->begins(), bins_->sheet_ends()};
     }
     std::vector<Candidate> located() override {
-        settle(false);
+        settle();
         return round_.candidates();
     }
 
@@ -99,6 +97,7 @@ public:
         std::vector<Candidate> candidates =
             round_.restored_candidates(snapshot, bins_->part_limits(count));
         bins_->put_candidates(candidates);
+        bins_->begin_round();
         for_parts([&](std::uint32_t) { bins_->sort(); });  // also makes the buckets
         round_.restore_statuses(snapshot);
         stage_ = Stage::located;
@@ -124,13 +123,6 @@ private:
         return round_.plan.is_cells() ? make_lattice(round_, tuning) : make_spans(round_, tuning);
     }
 
-    // Lists the orders of the samples' draws.
-    void find_orders() {
-        orders_.clear();
-        for (std::uint32_t order = 0; order < round_.by_order.size(); ++order)
-            if (round_.by_order[order].x != NO_SAMPLE) orders_.push_back(order);
-    }
-
     void open_part(std::uint32_t part) {
         if (round_.parts() > 1) queue_->wait();
         round_.open_part(part);
@@ -145,30 +137,32 @@ private:
         }
     }
 
-    // Ends the open part. On the device, what queue_end queues does nothing until the part's draws
-    // are decided.
+    // Ends the open part. On the device, what queue_end queues does nothing until the part's
+    // draws are decided.
     template <typename QueueEnd>
     void end_part(QueueEnd queue_end) {
         queue_end();
-        settle(false, queue_end);
+        settle(queue_end);
     }
 
     // Ends all parts but the last, which stays open.
-    template <typename QueueEnd>
-    void end_earlier_parts(QueueEnd queue_end) {
+    void end_earlier_parts() {
         if (round_.parts() == 1) return;
-        settle(false);
+        settle();
         for_parts([&](std::uint32_t part) {
-            if (part + 1 < round_.parts()) end_part(queue_end);
+            if (part + 1 < round_.parts()) end_part([&] { bins_->take_out(); });
         });
     }
 
     void end_round(Stage stage) {
         expect(stage_ == Stage::located || stage_ == Stage::admitted);
+        if (stage_ == Stage::located) end_earlier_parts();
         stage_ = stage;
         queue_end_of_round();
-        queue_->wait();
+        wait_for_verb();
     }
+
+    bool has_ended() const { return stage_ > Stage::admitted; }
 
     // Does nothing on the device while a draw is undecided.
     void queue_end_of_round() {
@@ -177,36 +171,47 @@ private:
             bins_->refine(stage_ == Stage::halved);
     }
 
-    // Screens the open part and, if its number is a power of 2, all later parts too: after the
-    // first few parts, most later ones have no undecided draw and are done.
+    // Screens the open part. If its number is a power of 2, screens all later parts first:
+    // after the first few parts, most later ones have no undecided draw and are done.
     void screen_again(std::uint32_t part, std::vector<bool>& is_done) {
-        const bool is_for_all = std::has_single_bit(part);
-        bins_->screen({round_.part.begin, is_for_all ? round_.draw_count : round_.part.end},
-                      STATUS_REJECTED);
-        if (is_for_all) round_.find_done(part, is_done);
+        if (std::has_single_bit(part)) {
+            bins_->screen({round_.part.begin, round_.draw_count}, STATUS_REJECTED, false);
+            round_.find_done(part, is_done);
+        }
+        if (!is_done[part])
+            bins_->screen(round_.part, part == 0 ? STATUS_UNDECIDED : STATUS_REJECTED, true);
     }
 
     void queue_passes() {
         for (std::uint32_t pass = 0; pass < kPasses; ++pass) bins_->admit(pass);
     }
 
-    // Completes the round.
+    // Completes the round. A round that tests end after admit has samples only.
     void finish() {
         if (stage_ == Stage::none) return;
-        settle(true);
-        bins_->end_round();
+        settle();
+        if (has_ended()) {
+            bins_->download();
+        } else {
+            round_.make_room_for_listing({});
+            round_.count_samples({});
+            round_.list_samples({});
+            settle();
+            round_.download_results(samples_alone_, 0);
+        }
+        queue_->wait();
+        if (has_ended()) bins_->end_round();
         stage_ = Stage::none;
     }
 
     // Waits, and queues what the round still needs: passes, cuts with more room, samples left over.
-    void settle(bool with_samples) {
-        settle(with_samples, [&] { queue_end_of_round(); });
+    void settle() {
+        settle([&] { queue_end_of_round(); });
     }
     template <typename QueueEnd>
-    void settle(bool with_samples, QueueEnd queue_end) {
+    void settle(QueueEnd queue_end) {
         while (true) {
-            round_.start_download(with_samples);
-            bins_->start_download();
+            round_.start_download();
             queue_->wait();
             round_.throw_if_failed();
             if (round_.is_unsettled()) {
@@ -219,12 +224,19 @@ private:
         }
     }
 
+    // So that an observer can tell the verbs' times apart.
+    void wait_for_verb() {
+        if (times_verbs_) queue_->wait();
+    }
+
     std::unique_ptr<Queue> queue_;
     Workers workers_{0};
     RoundMemory round_;
     std::unique_ptr<Bins> bins_;
     std::vector<Sample> samples_;
     std::vector<std::uint32_t> orders_;  // with plan.tells_orders
+    std::vector<std::uint32_t> samples_alone_;
+    bool times_verbs_ = false;
     Stage stage_ = Stage::none;
 };
 

@@ -32,12 +32,8 @@ public:
         lists_.put(round_.plan.field().kept);
     }
 
-    std::span<const std::uint32_t> begins() const override { return boxes_.begins(); }
-
     PartLimits part_limits(std::uint32_t count) const override {
-        PartLimits limits = limits_by_area(count, mean_disk_area_, widest_disk_area_);
-        limits.of_column = limits.most;  // nothing is sorted
-        return limits;
+        return limits_by_area(count, mean_disk_area_, widest_disk_area_);
     }
 
     void begin_part() override {
@@ -48,10 +44,9 @@ public:
     void locate(std::span<const Draw>) override {
         round_.launch_over_draws<kernels::locate_with_field>(round_.arguments(), kFieldLocateWork);
     }
-    void sort() override {}
 
-    void screen(Range draws, std::uint32_t status) override {
-        const bool is_listed = round_.parts() == 1;
+    void screen(Range draws, std::uint32_t status, bool opens) override {
+        const bool is_listed = opens && round_.parts() == 1;
         if (is_listed) lists_.begin_survivors();
         round_.screen<kernels::screen_with_field>(draws, status, kListScreenWork, is_listed);
     }
@@ -71,13 +66,11 @@ public:
         boxes_.refine(halve, halve ? 0 : lists_.first_recent());
     }
 
-    void start_download() override {
-        lists_.start_download();
-        boxes_.start_download();
-    }
     bool queue_rest() override { return boxes_.queue_rest(); }
+    void download() override { boxes_.download(); }
     void end_round() override {
-        if (boxes_.end_round()) lists_.end_round();
+        boxes_.end_round();
+        lists_.end_round();
     }
 
     std::span<const std::uint32_t> free_lengths() const override { return boxes_.free_lengths(); }
@@ -105,7 +98,7 @@ public:
             radii.push_back(round_.plan.field().radius_field->radius_at(candidate.x, candidate.y));
         }
         round_.put_in_room<std::uint32_t>(round_.memory.candidate_radii, radii);
-        round_.put_in_room<Candidate>(round_.memory.candidates, candidates);
+        Bins::put_candidates(candidates);
     }
 
 private:

@@ -66,7 +66,7 @@ static_assert(sizeof(portable::Geometry) == 72 && offsetof(portable::DrawArgumen
               offsetof(portable::ColumnArguments, g) == 8);
 static_assert(offsetof(portable::DrawArguments, first) == 80 &&
               offsetof(portable::DrawArguments, room) == 120 &&
-              offsetof(portable::SlabArguments, is_counting) == 116 &&
+              offsetof(portable::SlabArguments, tile_height) == 124 &&
               offsetof(portable::StripArguments, own_width) == 108 &&
               offsetof(portable::ColumnArguments, room) == 80);
 

@@ -1,6 +1,5 @@
 // The bins of mode cells: lines of the lattice's bits, and the radius map for subtract.
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -13,6 +12,7 @@
 #include "backends/device/bins.h"
 #include "backends/device/cells_layout.h"
 #include "plan/first_free.h"
+#include "portable/status.h"
 
 namespace lacuna::device {
 namespace {
@@ -54,23 +54,23 @@ public:
         round_.geometry.capacity = words_;
         round_.make_room(m.bits, std::uint64_t{plan.lines} * words_);
         round_.make_room(m.widest, plan.lines);
-        round_.make_room(m.left_count, 1);
         round_.queue.fill(m.widest, 0, plan.lines);
         upload_first_bits();
         find_reaches(tuning);
     }
 
-    std::span<const std::uint32_t> begins() const override { return first_lines_; }
+    std::span<const std::uint32_t> sorted_columns() const override { return first_lines_; }
 
     PartLimits part_limits(std::uint32_t count) const override {
-        return limits_by_area(count, mean_disk_area_, share_);
+        PartLimits limits = limits_by_area(count, mean_disk_area_, share_);
+        limits.of_column = kMostOfColumn;
+        return limits;
     }
 
     void begin_part() override {
         Memory& m = round_.memory;
         for (Buffer* const one : {&m.candidate_radii, &m.todo, &m.left})
             round_.make_room(*one, round_.draw_count);
-        round_.queue.fill(m.left_count, 0, 1);
     }
 
     void locate(std::span<const Draw>) override {
@@ -89,8 +89,8 @@ public:
         round_.launch_over_draws<kernels::look_up_radii>(arguments_of(), 1);
     }
 
-    void screen(Range draws, std::uint32_t status) override {
-        round_.screen<kernels::screen_in_cells>(draws, status, 1);
+    void screen(Range draws, std::uint32_t status, bool) override {
+        if (status != STATUS_UNDECIDED) round_.screen<kernels::screen_in_cells>(draws, status, 1);
     }
 
     void admit(std::uint32_t pass) override {
@@ -103,28 +103,42 @@ public:
     }
 
     void subtract() override {
+        take_out();
+        round_.make_room_for_listing({});
+        round_.count_samples({});
+        round_.list_samples({});
+    }
+
+    void take_out() override {
         served_reach_ = short_reach_;
         queue_cuts(round_.part_count(), false, mean_reach_);
     }
 
     void refine(bool) override { throw std::logic_error("mode cells has nothing to refine"); }
 
-    void start_download() override {
-        round_.get<std::uint32_t>(round_.memory.free_lengths, free_lengths_);
-        round_.get<std::uint32_t>(round_.memory.left_count, left_);
-    }
-
     // Samples of longer reach are served by further launches, each for twice the reach of the last.
     bool queue_rest() override {
-        if (left_.front() == 0) return false;
+        const std::uint32_t left = round_.report[LEFT_WORD];
+        if (left == 0) return false;
+        round_.reset(LEFT_WORD);
         std::swap(round_.memory.todo, round_.memory.left);
         served_reach_ = std::min(2 * served_reach_, widest_);
-        queue_cuts(left_.front(), true, served_reach_);
+        queue_cuts(left, true, served_reach_);
         return true;
+    }
+
+    void download() override {
+        round_.get<std::uint32_t>(round_.memory.free_lengths, free_lengths_);
+        round_.download_results(samples_, 0);
     }
 
     std::span<const std::uint32_t> free_lengths() const override { return free_lengths_; }
     std::uint32_t width() const override { return 1; }
+
+    void put_candidates(std::vector<Candidate>& candidates) override {
+        round_.put<Candidate>(round_.memory.located, candidates);
+        round_.queue.wait();
+    }
 
     void snapshot(Snapshot& snapshot) override {
         snapshot.bits.resize(std::size_t{round_.plan.lines} * words_);
@@ -138,6 +152,7 @@ public:
             lengths[i / words_] += static_cast<std::uint32_t>(std::popcount(snapshot.bits[i]));
         round_.put<std::uint32_t>(round_.memory.bits, snapshot.bits);
         round_.put<std::uint32_t>(round_.memory.free_lengths, lengths);
+        free_lengths_ = lengths;
         round_.queue.fill(round_.memory.widest, 0, round_.plan.lines);
         round_.queue.wait();
     }
@@ -227,7 +242,6 @@ private:
             slices_of(served_reach_),
             std::max<std::uint64_t>(most / std::max<std::uint64_t>(items, 1), 1)));
         const std::uint64_t turns = turns_of_sample(round_.plan, usual_reach) / slices;
-        round_.queue.fill(round_.memory.left_count, 0, 1);
         portable::DrawArguments arguments = arguments_of();
         arguments.chunk = chunk;
         if (is_listed) arguments.first = 0;
@@ -243,7 +257,7 @@ private:
     std::uint32_t words_;  // of a line
     bool serves_chunks_;
     std::vector<std::uint32_t> free_lengths_;
-    std::array<std::uint32_t, 1> left_{};
+    std::vector<std::uint32_t> samples_;  // their coordinates, as downloaded
 
     std::uint32_t widest_ = 0;       // the longest reach
     std::uint32_t short_reach_ = 0;  // the longest reach that needs only the fewest slices

@@ -8,8 +8,10 @@
 #include "base/number_text.h"
 #include "plan/first_boxes.h"
 #include "plan/first_free.h"
+#include "plan/make_plan.h"
 #include "plan/radius_field.h"
-#include "portable/column.h"
+#include "plan/sizes.h"
+#include "portable/bits.h"
 #include "portable/status.h"
 #include "rounds/round_policy.h"
 
@@ -34,7 +36,31 @@ std::uint32_t rule_of(const Plan& plan) {
 
 }  // namespace
 
+GridShape grid_of(const Plan& plan) {
+    if (plan.is_cells() || plan.has_field()) return {};
+    if (plan.is_exact()) return plan.grid();
+    return lacuna::grid_of(plan.width, plan.height,
+                           std::max(plan.radius - plan.strip_width / 2, 2u));
+}
+
+Tiles tiles_of(const Plan& plan, std::uint32_t rows) {
+    const GridShape grid = grid_of(plan);
+    std::uint64_t height = rows;
+    while (height * kMostTiles < grid.rows) height *= 2;
+    if (height >= grid.rows) return {1, plan.height};
+    const auto of_tile = static_cast<std::uint32_t>(height);
+    return {(grid.rows - 1) / of_tile + 1, of_tile * grid.side};
+}
+
+std::uint32_t first_tile_capacity(const Plan& plan, Tiles tiles) {
+    const auto spans =
+        static_cast<std::uint64_t>(most_spans(static_cast<double>(tiles.height) / plan.radius));
+    // Each sample adds at most one span to a tile.
+    return static_cast<std::uint32_t>(std::min(spans, std::min(spans, plan.limit) + 8));
+}
+
 portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uint32_t capacity) {
+    const GridShape grid = grid_of(plan);
     return {.radius_squared = plan.radius_squared,
             .radius = plan.radius,
             .width = plan.width,
@@ -47,9 +73,9 @@ portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uin
             .capacity = capacity,
             .rule = rule_of(plan),
             .chord_margin = plan.chord_margin(),
-            .grid_side = plan.grid().side,
-            .grid_columns = plan.grid().columns,
-            .grid_rows = plan.grid().rows,
+            .grid_side = grid.side,
+            .grid_columns = grid.columns,
+            .grid_rows = grid.rows,
             .sheet_bits = plan.has_field() ? plan.field().sheets.bits() : BITS_OF_ONE_SHEET};
 }
 
@@ -62,59 +88,56 @@ Range draws_of(const Slab& slab, std::span<const Draw> draws) {
     return {index_of_line(slab.first_line), index_of_line(slab.end_line)};
 }
 
-void find_near_begins(const Plan& plan, std::uint32_t columns,
-                      std::span<const std::uint32_t> column_begins,
-                      std::vector<std::uint32_t>& begins) {
-    begins.resize(columns + std::size_t{1});
-    begins[0] = 0;
-    for (std::uint32_t column = 0; column < columns; ++column) {
-        const portable::Stretch near = portable::stretch_around(column, 1, columns, plan.period_x);
-        begins[column + 1] = begins[column];
-        for (std::uint32_t k = 0; k < near.count; ++k) {
-            const std::uint32_t neighbour = portable::nth_of_stretch(near, k, columns);
-            begins[column + 1] += column_begins[neighbour + 1] - column_begins[neighbour];
+std::vector<std::uint32_t> outcomes_of(const Snapshot& snapshot) {
+    const std::uint32_t words =
+        portable::words_of_column(static_cast<std::uint32_t>(snapshot.candidates.size()));
+    std::vector<std::uint32_t> outcomes(2 * std::size_t{words}, 0);
+    for (std::size_t i = 0; i < snapshot.candidates.size(); ++i) {
+        const std::uint32_t order = snapshot.candidates[i].order;
+        const std::uint32_t bit = std::uint32_t{1} << order % 32;
+        if (snapshot.statuses[i] == STATUS_ADMITTED) outcomes[order / 32] |= bit;
+        if (snapshot.statuses[i] == STATUS_COVERED) outcomes[words + order / 32] |= bit;
+    }
+    return outcomes;
+}
+
+Packed pack(const Slab& slab, Tiles tiles, const Snapshot& snapshot) {
+    const std::size_t count = std::size_t{slab.lines()} * tiles.count;
+    Packed packed{std::vector<Span>(count * snapshot.capacity),
+                  std::vector<std::uint32_t>(count, 0), std::vector<std::uint32_t>(count, 0)};
+    for (std::uint32_t i = 0; i < slab.lines(); ++i) {
+        for (Span rest : snapshot.spans[slab.first_line + i]) {
+            while (rest.begin < rest.end) {
+                const std::uint32_t of_line = std::min(rest.begin / tiles.height, tiles.count - 1);
+                const std::uint32_t end = of_line + 1 < tiles.count
+                                              ? std::min(rest.end, (of_line + 1) * tiles.height)
+                                              : rest.end;
+                const std::size_t tile = std::size_t{i} * tiles.count + of_line;
+                packed.slots[tile * snapshot.capacity + packed.counts[tile]++] = {rest.begin, end};
+                packed.lengths[tile] += end - rest.begin;
+                rest.begin = end;
+            }
         }
     }
+    return packed;
 }
 
-std::uint64_t take_admitted(std::span<const Sample> by_order, std::vector<Sample>& samples) {
-    samples.clear();
-    std::uint64_t survivors = 0;
-    for (const Sample& sample : by_order) {
-        const bool admitted = sample.x != NO_SAMPLE;
-        if (admitted) samples.push_back(sample);
-        survivors += admitted || sample.y != STATUS_COVERED;
-    }
-    return survivors;
-}
-
-std::vector<Sample> samples_by_order(const Snapshot& snapshot) {
-    std::vector<Sample> samples(snapshot.candidates.size());
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        const Candidate& candidate = snapshot.candidates[i];
-        samples[candidate.order] = snapshot.statuses[i] == STATUS_ADMITTED
-                                       ? Sample{candidate.x, candidate.y}
-                                       : Sample{NO_SAMPLE, snapshot.statuses[i]};
-    }
-    return samples;
-}
-
-std::vector<Span> pack(const Slab& slab, const Snapshot& snapshot) {
-    std::vector<Span> slots(std::size_t{slab.lines()} * snapshot.capacity);
-    for (std::uint32_t i = 0; i < slab.lines(); ++i) {
-        const std::vector<Span>& spans = snapshot.spans[slab.first_line + i];
-        std::copy(spans.begin(), spans.end(),
-                  slots.begin() + static_cast<std::ptrdiff_t>(std::size_t{i} * snapshot.capacity));
-    }
-    return slots;
-}
-
-void unpack(const Slab& slab, std::span<const Span> slots,
+void unpack(const Slab& slab, Tiles tiles, std::span<const Span> slots,
             std::span<const std::uint32_t> span_counts, Snapshot& snapshot) {
     for (std::uint32_t i = 0; i < slab.lines(); ++i) {
-        const auto spans =
-            slots.subspan(std::size_t{i} * snapshot.capacity, span_counts[slab.first_line + i]);
-        snapshot.spans.emplace_back(spans.begin(), spans.end());
+        std::vector<Span>& line = snapshot.spans.emplace_back();
+        for (std::uint32_t k = 0; k < tiles.count; ++k) {
+            const std::size_t tile = std::size_t{i} * tiles.count + k;
+            const std::uint32_t count =
+                span_counts[std::size_t{slab.first_line} * tiles.count + tile];
+            for (const Span span : slots.subspan(tile * snapshot.capacity, count)) {
+                if (!line.empty() && line.back().end == span.begin &&
+                    span.begin == k * tiles.height)
+                    line.back().end = span.end;
+                else
+                    line.push_back(span);
+            }
+        }
     }
 }
 
@@ -124,28 +147,32 @@ std::string gigabytes(std::uint64_t bytes) {
     return rounded(static_cast<double>(bytes) / 1e9, 3) + " GB";
 }
 
-// Bytes of a draw: draws, located, candidates; buckets, statuses; samples; three entries of near.
-constexpr std::uint64_t kBytesPerDraw = 48 + 8 + 8 + 24;
-constexpr std::uint64_t kLargestPerDraw = 24;  // of the largest buffer, near
+// Bytes of a draw: itself and its candidate; status, next candidate in its cell; sample.
+constexpr std::uint64_t kBytesPerDraw = 32 + 8 + 8;
+constexpr std::uint64_t kLargestPerDraw = 16;  // of the largest buffer
 
-// In exact, bytes of a cell; and of a box: itself before and after a round, the pieces of its two
-// strips, its length and its count.
-constexpr std::uint64_t kBytesPerCell = 8;
+// Bytes of a cell: its sample, its first candidate, and some bits. In exact, bytes of a box: itself
+// before and after a round, the pieces of its two strips, its length and its count.
+constexpr std::uint64_t kBytesPerCell = 8 + 4 + 1;
 constexpr std::uint64_t kBytesPerBox = 2 * 16 + 2 * 8 + 2 * 4;
 // Most boxes for each sample of the maximal set: 0.45 to 0.5 have been seen.
 constexpr double kBoxesPerSample = 0.75;
 
 Needs needs_of_lines(const Plan& plan, std::uint64_t round) {
-    const std::uint64_t line_bytes = std::uint64_t{first_capacity(plan)} * sizeof(Span);
-    // Cells and boxes have a buffer for each coordinate.
-    const std::uint64_t cells =
-        plan.is_exact() ? std::uint64_t{plan.grid().columns} * plan.grid().rows : 0;
+    const Tiles of_line = tiles_of(plan, kRowsOfTile);
+    const std::uint64_t tiles = std::uint64_t{plan.lines} * of_line.count;
+    const std::uint64_t line_bytes =
+        std::uint64_t{first_tile_capacity(plan, of_line)} * of_line.count * sizeof(Span);
+    const GridShape grid = grid_of(plan);
+    const std::uint64_t cells = std::uint64_t{grid.columns} * grid.rows;
     const auto boxes = static_cast<std::uint64_t>(
         plan.is_exact() ? kBoxesPerSample * static_cast<double>(plan.expected_samples) : 0);
-    return {plan.lines * (line_bytes + 8) + round * kBytesPerDraw + cells * kBytesPerCell +
-                boxes * kBytesPerBox,
-            std::max({line_bytes, plan.lines * std::uint64_t{4}, round * kLargestPerDraw,
-                      cells * kBytesPerCell / 2, boxes * 16})};
+    const std::uint64_t near = std::uint64_t{count_columns(plan)} * kSamplesNearSpan * line_bytes;
+    // Of a tile: the number of its spans, their length, and the length below it.
+    return {plan.lines * (line_bytes + 4) + tiles * 12 + near + round * kBytesPerDraw +
+                cells * kBytesPerCell + boxes * kBytesPerBox,
+            std::max({line_bytes, tiles * std::uint64_t{4}, round * kLargestPerDraw, cells * 4,
+                      boxes * 16})};
 }
 
 // In cells, of a draw: draws, located, candidates; buckets, statuses, radii, todo, left; samples.

@@ -30,6 +30,8 @@ struct Range {
 // For tests.
 struct Tuning {
     std::uint64_t largest_slab_bytes = 0;  // 0: the device's limit; lower values make more slabs
+    // In lines and exact: rows of the sample grid in a tile; 0: as the device needs.
+    std::uint32_t rows_of_tile = 0;
     // In cells: work items that divide the lines near a sample; 0: as many as the device needs.
     std::uint32_t slices_of_sample = 0;
 };
@@ -38,27 +40,46 @@ struct Tuning {
 std::vector<Slab> share_out(std::uint32_t lines, std::uint32_t capacity,
                             std::uint64_t largest_bytes);
 
+// The sample grid of lines and exact on a device. In lines its cells are small enough that two
+// samples never share one, although with x interpolated they may be half a strip closer than the
+// radius. In other modes it has no cells.
+GridShape grid_of(const Plan& plan);
+
+// The tiles of a line (portable/kernels.h): as high as `rows` rows of the sample grid, or higher by
+// a power of 2, so that a line has at most kMostTiles. A graphics card gets tiles of kRowsOfTile
+// rows, so that it has many items with short loops. A processor gets one tile a line.
+struct Tiles {
+    std::uint32_t count = 0;   // of a line
+    std::uint32_t height = 0;  // the last one may be lower
+};
+inline constexpr std::uint32_t kRowsOfTile = 64;  // with more, loops have over 256 turns
+inline constexpr std::uint32_t kMostTiles = 256;
+Tiles tiles_of(const Plan& plan, std::uint32_t rows);
+// The number of free spans that a tile has room for at first. Few tiles ever need more; then the
+// backend grows, and no span is lost.
+std::uint32_t first_tile_capacity(const Plan& plan, Tiles tiles);
+// The most samples of a round near a tile of a column of lines, for each span that a tile has room
+// for.
+inline constexpr std::uint32_t kSamplesNearSpan = 3;
+
 portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uint32_t capacity);
 
 // The draws that fall on a slab's lines. The draws are sorted by line.
 Range draws_of(const Slab& slab, std::span<const Draw> draws);
 
-// Column c gets the room [begins[c], begins[c + 1]) for all samples that may cut its lines. Its
-// size is the number of draws in the column and its neighbours.
-void find_near_begins(const Plan& plan, std::uint32_t columns,
-                      std::span<const std::uint32_t> column_begins,
-                      std::vector<std::uint32_t>& begins);
+// outcomes[] of portable/kernels.h, from a snapshot's candidates and statuses: by the orders of
+// draws, a bit for each sample, then a bit for each draw that samples of earlier rounds cover.
+std::vector<std::uint32_t> outcomes_of(const Snapshot& snapshot);
 
-// Takes the samples of a round from the table of its draws, by order: a draw not admitted has x ==
-// NO_SAMPLE and its status in y. Returns the number of draws that no earlier round covers.
-std::uint64_t take_admitted(std::span<const Sample> by_order, std::vector<Sample>& samples);
-
-// The table that take_admitted reads, from a snapshot's candidates and statuses.
-std::vector<Sample> samples_by_order(const Snapshot& snapshot);
-
-// Converts a slab's spans between a snapshot and the device's form, `capacity` spans a line.
-std::vector<Span> pack(const Slab& slab, const Snapshot& snapshot);
-void unpack(const Slab& slab, std::span<const Span> slots,
+// Converts spans between a snapshot and the device's form: `capacity` spans for each tile. A span
+// that crosses the border of two tiles is divided there.
+struct Packed {
+    std::vector<Span> slots;
+    std::vector<std::uint32_t> counts;   // of each tile
+    std::vector<std::uint32_t> lengths;  // of each tile, the sum of its spans
+};
+Packed pack(const Slab& slab, Tiles tiles, const Snapshot& snapshot);
+void unpack(const Slab& slab, Tiles tiles, std::span<const Span> slots,
             std::span<const std::uint32_t> span_counts, Snapshot& snapshot);
 
 // The number of active boxes that there is room for, and of entries of neighbour lists with a

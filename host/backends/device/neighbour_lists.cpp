@@ -35,11 +35,8 @@ NeighbourLists::NeighbourLists(RoundMemory& round)
     Memory& m = round_.memory;
     round_.make_room(m.lists, blocks());
     round_.make_room(m.entries, 4 * room_for_entries(round_.plan));
-    round_.make_room(m.entry_count, 1);
     round_.make_room(m.visitor_heads, blocks());
-    round_.make_room(m.visitor_count, 1);
     round_.make_room(m.survivors, 1);
-    round_.make_room(m.survivor_count, 1);
 }
 
 // Whether the nodes that a candidate reaches, at most, are more than may be visited
@@ -84,10 +81,11 @@ void NeighbourLists::make_tree() {
 void NeighbourLists::put(std::span<const Sized> samples) {
     Memory& m = round_.memory;
     round_.queue.fill(m.lists, NO_SAMPLE, blocks());
-    round_.queue.fill(m.entry_count, 0, 1);
+    round_.queue.fill(m.report, 0, REPORT_WORDS);
+    round_.report = {};
     const std::vector<std::uint32_t> open_parts = first_.part_counts();
     round_.put<std::uint32_t>(m.open_parts, open_parts);
-    entry_count_.front() = first_recent_ = 0;
+    first_recent_ = 0;
     const auto count = static_cast<std::uint32_t>(samples.size());
     if (count == 0) return round_.queue.wait();
     std::vector<Candidate> candidates;
@@ -100,46 +98,41 @@ void NeighbourLists::put(std::span<const Sized> samples) {
     round_.put_in_room<Candidate>(m.candidates, candidates);
     round_.put_in_room<std::uint32_t>(m.candidate_radii, radii);
     round_.put_in_room<std::uint32_t>(m.statuses, statuses);
-    round_.queue.fill(m.failure, 0, 1);
-    round_.queue.fill(m.undecided, 0, kPasses);
     const std::uint32_t first_part = round_.plan.field().sheets.are_several() ? kFirstPart : count;
     for (std::uint32_t begin = 0; begin < count; begin = round_.part.end) {
         round_.part = {begin, std::min(count, std::max(first_part, 2 * begin))};
         begin_part();
         enlist();
-        start_download();
-        round_.start_download(false);
+        round_.start_download();
         round_.queue.wait();
         round_.throw_if_failed();
     }
 }
 
 std::vector<Sample> NeighbourLists::get() const {
-    std::vector<Candidate> entries(entry_count_.front());  // as wide as an entry
-    round_.get<Candidate>(round_.memory.entries, entries);
+    std::vector<Candidate> list(entries());  // as wide as an entry
+    round_.get<Candidate>(round_.memory.entries, list);
     round_.queue.wait();
     std::vector<Sample> samples;
-    samples.reserve(entries.size());
-    for (const Candidate& entry : entries) samples.push_back({entry.x, entry.y});
+    samples.reserve(list.size());
+    for (const Candidate& entry : list) samples.push_back({entry.x, entry.y});
     return samples;
 }
 
 void NeighbourLists::begin_survivors() {
     round_.make_room(round_.memory.survivors, round_.draw_count);
-    round_.queue.fill(round_.memory.survivor_count, 0, 1);
     listed_ = Listed::survivors;
 }
 
 void NeighbourLists::list_visitors() {
     if (listed_ == Listed::visitors) return;
     Memory& m = round_.memory;
-    std::array<std::uint32_t, 1> visitors{};
     std::uint64_t room = kVisitsPerDraw * round_.part_count();
     do {
-        room = std::max<std::uint64_t>(room, visitors.front());
+        room = std::max<std::uint64_t>(room, round_.report[VISITORS_WORD]);
+        round_.reset(VISITORS_WORD);
         round_.make_room(m.visitors, 2 * room);
         round_.queue.fill(m.visitor_heads, NO_SAMPLE, blocks());
-        round_.queue.fill(m.visitor_count, 0, 1);
         portable::DrawArguments arguments = round_.arguments();
         arguments.room = static_cast<std::uint32_t>(room);
         arguments.is_listed = listed_ == Listed::survivors ? 1 : 0;
@@ -149,23 +142,23 @@ void NeighbourLists::list_visitors() {
                 visits_all_at_once_ ? ALL_NODES : static_cast<std::uint32_t>(node);
             round_.launch_over_draws<kernels::reach>(arguments, kReachWork);
         }
-        round_.get<std::uint32_t>(m.visitor_count, visitors);
+        round_.start_download();
         round_.queue.wait();
-    } while (visitors.front() > room);
-    make_room_for_entries(std::uint64_t{entry_count_.front()} + visitors.front());
+    } while (round_.report[VISITORS_WORD] > room);
+    make_room_for_entries(std::uint64_t{entries()} + round_.report[VISITORS_WORD]);
     listed_ = Listed::visitors;
 }
 
 // Keeps the entries. Makes room for half as many again, if the device allows it.
 void NeighbourLists::make_room_for_entries(std::uint64_t count) {
-    Buffer& entries = round_.memory.entries;
-    if (4 * count <= entries.words()) return;
-    std::vector<std::uint32_t> words(4 * std::size_t{entry_count_.front()});
-    round_.get<std::uint32_t>(entries, words);
+    Buffer& buffer = round_.memory.entries;
+    if (4 * count <= buffer.words()) return;
+    std::vector<std::uint32_t> words(4 * std::size_t{entries()});
+    round_.get<std::uint32_t>(buffer, words);
     round_.queue.wait();
     const std::uint64_t most = round_.queue.device().largest_buffer_bytes / (4 * kWord);
-    round_.make_room(entries, 4 * std::max(count, std::min(count + count / 2, most)));
-    round_.put<std::uint32_t>(entries, words);
+    round_.make_room(buffer, 4 * std::max(count, std::min(count + count / 2, most)));
+    round_.put<std::uint32_t>(buffer, words);
     round_.queue.wait();
 }
 
@@ -177,10 +170,6 @@ void NeighbourLists::enlist() {
     launch<kernels::enlist>(round_.queue, round_.memory, arguments,
                             items_of(arguments.count, arguments.chunk),
                             kEnlistWork * arguments.chunk);
-}
-
-void NeighbourLists::start_download() {
-    round_.get<std::uint32_t>(round_.memory.entry_count, entry_count_);
 }
 
 }  // namespace lacuna::device

@@ -3,7 +3,6 @@
 // samples.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -33,22 +32,21 @@ public:
     // Queues adding the admitted visitors to the lists.
     void enlist();
 
-    void start_download();
     // The first entry of a sample that has not cut the boxes yet.
     std::uint32_t first_recent() const { return first_recent_; }
-    void end_round() { first_recent_ = entry_count_.front(); }
+    void end_round() { first_recent_ = entries(); }
 
 private:
     enum class Listed { none, survivors, visitors };  // of the open part
 
     std::uint32_t blocks() const { return first_.block_count(); }
+    std::uint32_t entries() const { return round_.report[ENTRIES_WORD]; }
     bool may_visit_many() const;
     void make_tree();
     void make_room_for_entries(std::uint64_t count);
 
     RoundMemory& round_;
     const FirstBoxes& first_;
-    std::array<std::uint32_t, 1> entry_count_{};
     std::uint32_t first_recent_ = 0;
     Listed listed_ = Listed::none;
     bool visits_all_at_once_;  // the nodes that a candidate reaches

@@ -13,18 +13,18 @@
 
 namespace lacuna::device {
 
-// The most draws of a column in one part: a work item sorts them, and a candidate is compared with
-// the draws of three columns.
+// In mode cells, the most draws of a column in one part: a work item sorts them, and a candidate is
+// compared with the draws of three columns.
 inline constexpr std::uint32_t kMostOfColumn = 512;
 
 // The most draws of any part and of the first part; a later part has as many as all before it.
 struct PartLimits {
     std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t most = std::numeric_limits<std::uint32_t>::max();
-    std::uint32_t of_column = kMostOfColumn;
+    std::uint32_t of_column = std::numeric_limits<std::uint32_t>::max();
 };
 
-// The limits of a round of `count` draws whose radii differ. mean_disk_area and widest_disk_area
+// The limits of a round of `count` draws. mean_disk_area and widest_disk_area
 // are the average and the largest fraction of the domain that a candidate's disk covers. The first
 // part is small enough that a candidate has few others within its radius. All parts are small
 // enough that the candidate of the largest radius compares with at most kMostTurns others.

@@ -44,12 +44,27 @@ void Queue::launch(const KernelShape& kernel, std::span<std::byte> arguments,
         enqueue(kernel, arguments, buffers,
                 static_cast<std::uint32_t>((served + group - 1) / group));
         queued_ += served * work;
-        if (launches_ != nullptr) ++*launches_;
+        ++work_.launches;
     }
+}
+
+void Queue::upload(const Buffer& to, std::span<const std::byte> from, std::uint64_t offset) {
+    if (from.empty()) return;
+    ++work_.uploads;
+    work_.uploaded_bytes += from.size();
+    enqueue_upload(to, from, offset);
+}
+
+void Queue::download(const Buffer& from, std::span<std::byte> to) {
+    if (to.empty()) return;
+    ++work_.downloads;
+    work_.downloaded_bytes += to.size();
+    enqueue_download(from, to);
 }
 
 void Queue::wait() {
     ask();
+    ++work_.waits;
     finish();
     queued_ = 0;
 }

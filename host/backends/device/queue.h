@@ -54,10 +54,9 @@ public:
     // Sets the first words.
     virtual void fill(const Buffer& buffer, std::uint32_t value, std::uint64_t words) = 0;
     // `from` must stay as it is until wait() returns.
-    virtual void upload(const Buffer& to, std::span<const std::byte> from,
-                        std::uint64_t offset) = 0;
+    void upload(const Buffer& to, std::span<const std::byte> from, std::uint64_t offset);
     // `to` is filled when wait() returns.
-    virtual void download(const Buffer& from, std::span<std::byte> to) = 0;
+    void download(const Buffer& from, std::span<std::byte> to);
 
     // The number of consecutive units of work, out of `amount`, that an item serves if each unit
     // continues from the one before: many on a processor, 1 on a graphics card.
@@ -80,10 +79,13 @@ public:
     virtual void drain() noexcept = 0;
     // Asked before each wait and between slices; false cancels the run.
     void watch(std::function<bool()> may_go_on) { may_go_on_ = std::move(may_go_on); }
-    // For tests: counts the kernels that are launched.
-    void count_launches(std::uint64_t* launches) { launches_ = launches; }
+    // What this queue was asked to do so far.
+    const Work& work() const { return work_; }
 
 protected:
+    virtual void enqueue_upload(const Buffer& to, std::span<const std::byte> from,
+                                std::uint64_t offset) = 0;
+    virtual void enqueue_download(const Buffer& from, std::span<std::byte> to) = 0;
     // Items come in groups of this size.
     virtual std::uint32_t group_size() const = 0;
     virtual std::uint64_t most_groups() const = 0;
@@ -99,7 +101,7 @@ private:
     void ask();
 
     std::function<bool()> may_go_on_;
-    std::uint64_t* launches_ = nullptr;
+    Work work_;
     std::uint64_t queued_ = 0;  // work since the last pause
 };
 

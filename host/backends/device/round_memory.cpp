@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 #include <numeric>
 #include <string>
 #include <tuple>
 
 #include "backends/columns.h"
 #include "backends/device/layout.h"
+#include "backends/device/scan.h"
 #include "portable/column.h"
 #include "portable/failure.h"
 #include "portable/status.h"
@@ -30,8 +32,8 @@ static_assert(FAILED_LOCATE == 1 && FAILED_SORT_COLUMNS == 2 && FAILED_ADMIT == 
 RoundMemory::RoundMemory(const Plan& the_plan, Queue& the_queue)
     : plan(the_plan), queue(the_queue), geometry(geometry_of(plan, count_columns(plan), 0)) {
     make_room(memory.column_begins, geometry.columns + std::uint64_t{1});
-    make_room(memory.undecided, kPasses);
-    make_room(memory.failure, 1);
+    make_room(memory.report, REPORT_WORDS);
+    queue.fill(memory.report, 0, REPORT_WORDS);
 }
 
 void RoundMemory::make_room(Buffer& buffer, std::uint64_t words) const {
@@ -54,19 +56,24 @@ Buffer RoundMemory::copy_of(std::span<const std::uint32_t> words) {
 void RoundMemory::begin(std::uint32_t count) {
     draw_count = count;
     part = {0, count};
-    by_order.resize(count);
     const std::uint64_t words = count;
-    for (Buffer* const one : {&memory.buckets, &memory.statuses}) make_room(*one, words);
-    make_room(memory.samples, 2 * words);
-    for (Buffer* const four : {&memory.draws, &memory.located, &memory.candidates})
-        make_room(*four, 4 * words);
-    queue.fill(memory.failure, 0, 1);
+    make_room(memory.statuses, words);
+    make_room(memory.outcomes, 2 * std::uint64_t{portable::words_of_column(count)});
+    for (Buffer* const four : {&memory.draws, &memory.candidates}) make_room(*four, 4 * words);
+    if (sorts()) make_room(memory.buckets, words);
+    if (sorts()) make_room(memory.located, 4 * words);
+    queue.fill(memory.outcomes, 0, 2 * std::uint64_t{portable::words_of_column(count)});
+    queue.fill(memory.report, 0, WORDS_OF_ROUND);
+    std::fill_n(report.begin(), WORDS_OF_ROUND, 0u);
 }
 
-void RoundMemory::upload(std::span<const Draw> draws, std::span<const std::uint32_t> bin_begins,
+void RoundMemory::upload(std::span<const Draw> draws, std::span<const std::uint32_t> sorted_columns,
                          PartLimits limits) {
-    find_column_begins(bin_begins, draws, column_begins);
-    arrangement_ = arrange(draws, column_begins, limits);
+    if (sorted_columns.empty())
+        column_begins_ = {0, static_cast<std::uint32_t>(draws.size())};
+    else
+        find_column_begins(sorted_columns, draws, column_begins_);
+    arrangement_ = arrange(draws, column_begins_, limits);
     begin(static_cast<std::uint32_t>(draws.size()));
     arranged_.clear();
     for (const std::uint32_t origin : arrangement_.origins) arranged_.push_back(draws[origin]);
@@ -76,15 +83,15 @@ void RoundMemory::upload(std::span<const Draw> draws, std::span<const std::uint3
 
 void RoundMemory::open_part(std::uint32_t number) {
     part = {number == 0 ? 0 : arrangement_.ends[number - 1], arrangement_.ends[number]};
-    if (parts() > 1) {
-        column_begins.assign(geometry.columns + std::size_t{1}, 0);
+    if (sorts() && parts() > 1) {
+        column_begins_.assign(geometry.columns + std::size_t{1}, 0);
         for (std::uint32_t i = part.begin; i < part.end; ++i)
-            ++column_begins[arrangement_.columns[i] + 1];
-        column_begins[0] = part.begin;
-        std::partial_sum(column_begins.begin(), column_begins.end(), column_begins.begin());
+            ++column_begins_[arrangement_.columns[i] + 1];
+        column_begins_[0] = part.begin;
+        std::partial_sum(column_begins_.begin(), column_begins_.end(), column_begins_.begin());
     }
-    put<std::uint32_t>(memory.column_begins, column_begins);
-    queue.fill(memory.undecided, 0, kPasses);
+    if (sorts()) put<std::uint32_t>(memory.column_begins, column_begins_);
+    if (number > 0) queue.fill(memory.report, 0, kPasses);
     has_more_passes_ = false;
 }
 
@@ -94,7 +101,7 @@ void RoundMemory::sort() {
 }
 
 void RoundMemory::begin_more_passes() {
-    queue.fill(memory.undecided, 0, kPasses);
+    queue.fill(memory.report, 0, kPasses);
     has_more_passes_ = true;
 }
 
@@ -110,14 +117,77 @@ void RoundMemory::find_done(std::uint32_t first, std::vector<bool>& is_done) {
     }
 }
 
-void RoundMemory::start_download(bool with_samples) {
-    if (with_samples) get<Sample>(memory.samples, by_order);
-    get<std::uint32_t>(memory.undecided, undecided_);
-    get<std::uint32_t>(memory.failure, failure_);
+void RoundMemory::start_download() {
+    get<std::uint32_t>(memory.report, report);
+}
+
+void RoundMemory::reset(std::uint32_t word) {
+    if (report[word] == 0) return;
+    std::fill_n(report.begin(), kPasses, 0u);
+    report[word] = 0;
+    put<std::uint32_t>(memory.report, report);
+}
+
+void RoundMemory::make_room_for_listing(Listing listing) {
+    make_room_to_scan(*this,
+                      std::uint64_t{listing.counts_before} + portable::words_of_column(draw_count));
+    const std::uint64_t bins = listing.bins == 0 ? listing.room : listing.bins;
+    make_room(memory.results, listing.words_of_bin * bins + 2 * std::uint64_t{draw_count});
+}
+
+portable::SampleArguments RoundMemory::arguments_of(Listing listing, std::uint32_t amount) const {
+    return {.chunk = queue.chunk_of(amount),
+            .draws = draw_count,
+            .last_pass = kPasses - 1,
+            .counts_before = listing.counts_before,
+            .block_bits =
+                block_bits_of_scan(listing.counts_before + portable::words_of_column(draw_count)),
+            .words_of_bin = listing.words_of_bin,
+            .bins = listing.bins,
+            .room = listing.room};
+}
+
+void RoundMemory::count_samples(Listing listing) {
+    const std::uint32_t words = portable::words_of_column(draw_count);
+    const portable::SampleArguments arguments = arguments_of(listing, words);
+    launch<kernels::count_samples>(queue, memory, arguments, items_of(words, arguments.chunk),
+                                   arguments.chunk);
+    scan(queue, memory, listing.counts_before + words);
+}
+
+void RoundMemory::list_samples(Listing listing) {
+    const portable::SampleArguments arguments = arguments_of(listing, draw_count);
+    launch<kernels::list_samples>(queue, memory, arguments, items_of(draw_count, arguments.chunk),
+                                  arguments.chunk);
+}
+
+void RoundMemory::download_results(std::vector<std::uint32_t>& bins, std::size_t words_of_bins) {
+    const std::size_t words = words_of_bins + 2 * std::size_t{report[SAMPLES_WORD]};
+    if (bins.size() < words) bins.resize(words);  // it never shrinks: growing fills it with zeros
+    get<std::uint32_t>(memory.results, std::span(bins).first(words));
+    results_ = &bins;
+    samples_at_ = words_of_bins;
+}
+
+void RoundMemory::take_samples(std::vector<Sample>& samples) const {
+    static_assert(sizeof(Sample) == 2 * kWord);
+    samples.resize(report[SAMPLES_WORD]);
+    if (!samples.empty())
+        std::memcpy(samples.data(), results_->data() + samples_at_,
+                    samples.size() * sizeof(Sample));
+}
+
+void RoundMemory::find_orders(std::vector<std::uint32_t>& orders) {
+    std::vector<std::uint32_t> words(portable::words_of_column(draw_count));
+    get<std::uint32_t>(memory.outcomes, words);
+    queue.wait();
+    orders.clear();
+    for (std::uint32_t order = 0; order < draw_count; ++order)
+        if ((words[order / 32] >> order % 32 & 1) != 0) orders.push_back(order);
 }
 
 void RoundMemory::throw_if_failed() const {
-    const std::uint32_t failed = failure_.front();
+    const std::uint32_t failed = report[FAILURE_WORD];
     if (failed == 0) return;
     if ((failed & FAILED_CHORDS) != 0)
         throw DeviceError("device " + queue.device().name +
@@ -146,7 +216,7 @@ void RoundMemory::snapshot(Snapshot& snapshot) {
     snapshot.statuses.resize(draw_count);
     get<std::uint32_t>(memory.statuses, snapshot.statuses);
     queue.wait();
-    if (parts() > 1 || plan.has_field()) merge_parts(snapshot);
+    if (parts() > 1 || !sorts()) merge_parts(snapshot);
 }
 
 void RoundMemory::merge_parts(Snapshot& snapshot) const {
@@ -170,9 +240,11 @@ void RoundMemory::merge_parts(Snapshot& snapshot) const {
 
 std::vector<Candidate> RoundMemory::restored_candidates(const Snapshot& snapshot,
                                                         PartLimits limits) {
-    find_column_begins(plan, geometry.columns, snapshot.candidates, column_begins);
-    arrangement_ = arrange(std::span(snapshot.candidates), column_begins, limits);
-    begin(static_cast<std::uint32_t>(snapshot.candidates.size()));
+    const auto count = static_cast<std::uint32_t>(snapshot.candidates.size());
+    column_begins_ = {0, count};
+    if (sorts()) find_column_begins(plan, geometry.columns, snapshot.candidates, column_begins_);
+    arrangement_ = arrange(std::span(snapshot.candidates), column_begins_, limits);
+    begin(count);
     std::vector<Candidate> candidates = snapshot.candidates;
     for (std::size_t i = 0; i < arrangement_.origins.size(); ++i)
         candidates[i] = snapshot.candidates[arrangement_.origins[i]];
@@ -184,8 +256,8 @@ void RoundMemory::restore_statuses(const Snapshot& snapshot) {
     for (std::size_t i = 0; i < arrangement_.origins.size(); ++i)
         statuses[i] = snapshot.statuses[arrangement_.origins[i]];
     put<std::uint32_t>(memory.statuses, statuses);
-    const std::vector<Sample> samples = samples_by_order(snapshot);
-    put<Sample>(memory.samples, samples);
+    const std::vector<std::uint32_t> outcomes = outcomes_of(snapshot);
+    put<std::uint32_t>(memory.outcomes, outcomes);
     queue.wait();
 }
 

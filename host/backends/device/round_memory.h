@@ -15,24 +15,26 @@
 #include "backends/device/parts.h"
 #include "backends/device/queue.h"
 #include "plan/plan.h"
+#include "portable/bits.h"
+#include "portable/report.h"
 
 namespace lacuna::device {
 
 // The number of passes of admit queued at a time. A pass that finds nothing undecided returns at
-// once; most rounds need five or six.
-inline constexpr std::uint32_t kPasses = 8;
+// once.
+inline constexpr std::uint32_t kPasses = PASSES;
 
 // These vectors must not change until queue.wait() returns: transfers use them.
 struct RoundMemory {
     RoundMemory(const Plan& plan, Queue& queue);
 
     // Queues the upload of the draws, part by part, and makes room for their candidates.
-    // bin_begins: see find_column_begins in columns.h.
-    void upload(std::span<const Draw> draws, std::span<const std::uint32_t> bin_begins,
+    // sorted_columns: see Bins.
+    void upload(std::span<const Draw> draws, std::span<const std::uint32_t> sorted_columns,
                 PartLimits limits);
     std::uint32_t parts() const { return static_cast<std::uint32_t>(arrangement_.ends.size()); }
-    // Queues the upload of column_begins for this part, which all later commands serve. If there
-    // are several parts, call queue.wait() first.
+    // All later commands serve this part. If candidates are sorted column by column, queues the
+    // upload of column_begins; if there are also several parts, call queue.wait() first.
     void open_part(std::uint32_t number);
     // Waits, then sets is_done for the parts from `first` on: whether all their draws are decided.
     void find_done(std::uint32_t first, std::vector<bool>& is_done);
@@ -46,11 +48,40 @@ struct RoundMemory {
     // (bodies/common/admit.h), and others might wait forever for one that is left in every pass.
     void begin_more_passes();
 
-    // Queues the download of flags and perhaps of by_order. After the wait, is_unsettled says if a
-    // draw is undecided, and throw_if_failed throws DeviceError if a kernel could not finish.
-    void start_download(bool with_samples);
-    bool is_unsettled() const { return undecided_.back() != 0; }
+    // Queues the download of report[]. After the wait, is_unsettled says if a draw is undecided,
+    // and throw_if_failed throws DeviceError if a kernel could not finish.
+    void start_download();
+    // Sets a word of report[] to 0, here and on the device, and the words of passes too, which must
+    // not be under way. Queues nothing if it is 0.
+    void reset(std::uint32_t word);
+    bool is_unsettled() const { return report[kPasses - 1] != 0; }
     void throw_if_failed() const;
+
+    // Queues listing the round's samples in results[], after words_of_bin words for each bin: for
+    // `bins` bins or, if that is 0, for the new boxes, which are listed only if there are at most
+    // `room`. The number of samples is added to counts[] after the first counts_before ones, which
+    // are scanned too. list_again() follows if the boxes did not fit.
+    struct Listing {
+        std::uint32_t counts_before = 0;
+        std::uint32_t words_of_bin = 0;
+        std::uint32_t bins = 0;
+        std::uint32_t room = ~std::uint32_t{0};
+    };
+    // Makes room in counts[] and results[] for what these commands write.
+    void make_room_for_listing(Listing listing);
+    void count_samples(Listing listing);
+    void list_samples(Listing listing);
+    // The number of new boxes that were counted.
+    std::uint32_t new_boxes() const { return report[TOTAL_WORD] - report[SAMPLES_WORD]; }
+    // Queues the download of the first words_of_bins words of results[] and of the samples after
+    // them. The wait fills in both.
+    void download_results(std::vector<std::uint32_t>& bins, std::size_t words_of_bins);
+    // Copies the samples from where download_results() has put them.
+    void take_samples(std::vector<Sample>& samples) const;
+    // Lists the orders of the samples' draws. Waits.
+    void find_orders(std::vector<std::uint32_t>& orders);
+    // The number of draws that no sample of an earlier round covers.
+    std::uint64_t survivors() const { return draw_count - report[COVERED_WORD]; }
 
     // Arguments of the kernels over the part's draws, and their launch.
     portable::DrawArguments arguments() const;
@@ -117,22 +148,25 @@ struct RoundMemory {
     Queue& queue;
     Memory memory;
     portable::Geometry geometry;
-    std::uint32_t draw_count = 0;              // of the round
-    Range part{0, 0};                          // of the draws
-    std::vector<std::uint32_t> column_begins;  // of the part, in draws; then its end
-    std::vector<Sample> by_order;              // of each draw, see take_admitted
+    std::uint32_t draw_count = 0;                      // of the round
+    Range part{0, 0};                                  // of the draws
+    std::array<std::uint32_t, REPORT_WORDS> report{};  // as downloaded
 
 private:
+    bool sorts() const { return plan.is_cells(); }
+    // Of a kernel over `amount` units.
+    portable::SampleArguments arguments_of(Listing listing, std::uint32_t amount) const;
     void begin(std::uint32_t count);
     // Sorts the candidates as if the round had one part; with a radius field by order.
     void merge_parts(Snapshot& snapshot) const;
 
+    std::vector<std::uint32_t> column_begins_;  // of the part, in draws; then its end
     Arrangement arrangement_;
     std::vector<Draw> arranged_;
     std::span<const Draw> draws_;  // part by part
     bool has_more_passes_ = false;
-    std::array<std::uint32_t, kPasses> undecided_{};
-    std::array<std::uint32_t, 1> failure_{};
+    std::vector<std::uint32_t>* results_ = nullptr;  // see download_results
+    std::size_t samples_at_ = 0;                     // where samples begin in *results_
 };
 
 }  // namespace lacuna::device

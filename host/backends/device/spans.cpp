@@ -1,6 +1,7 @@
 // The bins of modes lines and exact on a device: the free spans of lines, in slabs, until exact
 // refines them into boxes.
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -11,48 +12,60 @@
 #include "backends/device/boxes.h"
 #include "backends/device/grid.h"
 #include "backends/device/scan.h"
-#include "plan/first_free.h"
 
 namespace lacuna::device {
 namespace {
 
 // See Queue::launch.
 constexpr std::uint64_t kLocateWork = 4;
-constexpr std::uint64_t kGrowWork = 2;
+constexpr std::uint64_t kSubtractWork = 8;
+constexpr std::uint64_t kTileWork = 1;
+
+std::uint32_t rows_of_tile(const Queue& queue, const Tuning& tuning) {
+    if (tuning.rows_of_tile != 0) return tuning.rows_of_tile;
+    return queue.device().kind == "cpu" ? std::numeric_limits<std::uint32_t>::max() : kRowsOfTile;
+}
 
 class Spans : public Bins {
 public:
     Spans(RoundMemory& round, const Tuning& tuning)
         : Bins(round),
+          tiles_(tiles_of(round.plan, rows_of_tile(round.queue, tuning))),
           largest_slab_(tuning.largest_slab_bytes != 0 ? tuning.largest_slab_bytes
                                                        : round.queue.device().largest_buffer_bytes),
-          first_lines_(first_lines(round.plan, round.geometry.columns)) {
-        const Plan& plan = round_.plan;
+          first_lines_(first_lines(round.plan, round.geometry.columns)),
+          grid_(round) {
         Memory& m = round_.memory;
-        round_.make_room(m.span_counts, plan.lines);
-        round_.make_room(m.free_lengths, plan.lines);
-        round_.make_room(m.near_begins, round_.geometry.columns + std::uint64_t{1});
-        round_.make_room(m.near_counts, round_.geometry.columns);
-        round_.make_room(m.overflow, 1);
-        round_.queue.fill(m.overflow, 0, 1);
-        if (plan.is_exact()) grid_.emplace(round_);
-        make_lines();
+        for (Buffer* const of_tile : {&m.span_counts, &m.tile_lengths, &m.tile_begins})
+            round_.make_room(*of_tile, all_tiles());
+        round_.make_room_for_listing(listing());
+        make_slabs(first_tile_capacity(round_.plan, tiles_));
+        for (std::size_t i = 0; i < slabs_.size(); ++i) launch_over_tiles<kernels::open_lines>(i);
+        sum_tiles();
+        free_lengths_.assign(round_.plan.lines, round_.plan.height);
     }
 
     std::span<const std::uint32_t> begins() const override {
         return boxes_ ? boxes_->begins() : first_lines_;
     }
 
-    void begin_part() override {
-        find_near_begins(round_.plan, round_.geometry.columns, round_.column_begins, near_begins_);
-        round_.make_room(round_.memory.near, 2 * std::uint64_t{near_begins_.back()});
-        round_.put<std::uint32_t>(round_.memory.near_begins, near_begins_);
+    PartLimits part_limits(std::uint32_t count) const override {
+        const Plan& plan = round_.plan;
+        const double disk_area = std::min(2.0 * plan.radius / plan.width, 1.0) *
+                                 std::min(2.0 * plan.radius / plan.height, 1.0);
+        return limits_by_area(count, disk_area, disk_area);
+    }
+
+    void begin_round() override {
+        if (boxes_) return;
+        grid_.begin_new_cells();
+        round_.make_room_for_listing(listing());
     }
 
     void locate(std::span<const Draw> draws) override {
         if (boxes_)
             return round_.launch_over_draws<kernels::locate_in_boxes>(round_.arguments(), 1);
-        const std::uint32_t chunk = chunk_of_lines();
+        const std::uint32_t chunk = round_.queue.chunk_of(round_.part_count());
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
             const Range range = draws_of(slabs_[i], draws);
             portable::SlabArguments arguments = arguments_of(i);
@@ -64,18 +77,8 @@ public:
         }
     }
 
-    void screen(Range draws, std::uint32_t status) override {
-        if (grid_) return grid_->screen(draws, status);
-        const std::uint32_t chunk = chunk_of_lines();
-        for (std::size_t i = 0; i < slabs_.size(); ++i) {
-            portable::SlabArguments arguments = arguments_of(i);
-            arguments.chunk = chunk;
-            arguments.first_draw = draws.begin;
-            arguments.end_draw = draws.end;
-            launch<kernels::screen_on_lines>(round_.queue, memory_of(i), arguments,
-                                             items_of(draws.end - draws.begin, chunk),
-                                             kLocateWork * chunk);
-        }
+    void screen(Range draws, std::uint32_t status, bool opens) override {
+        grid_.screen(draws, status, opens);
     }
 
     void admit(std::uint32_t pass) override {
@@ -84,36 +87,33 @@ public:
     }
 
     void subtract() override {
-        if (grid_) grid_->insert();
+        take_out();
         cut_spans();
+        round_.count_samples(listing());
+        round_.list_samples(listing());
     }
 
-    void take_out() override {
-        if (grid_) return grid_->insert();
-        cut_spans();
-    }
-    bool is_cut_by_take_out() const override { return !grid_; }
+    void take_out() override { grid_.insert(!boxes_); }
 
     void refine(bool halve) override {
-        if (!grid_) throw std::logic_error("mode lines has nothing to refine");
+        if (!round_.plan.is_exact()) throw std::logic_error("mode lines has nothing to refine");
         if (!boxes_) turn_into_boxes();
-        grid_->insert();
+        take_out();
         boxes_->refine(halve);
-    }
-
-    void start_download() override {
-        if (boxes_) return boxes_->start_download();
-        free_lengths_.resize(round_.plan.lines);
-        round_.get<std::uint32_t>(round_.memory.free_lengths, free_lengths_);
-        round_.get<std::uint32_t>(round_.memory.overflow, overflow_);
     }
 
     bool queue_rest() override {
         if (boxes_) return boxes_->queue_rest();
-        if (overflow_.front() == 0) return false;
+        if (round_.report[OVERFLOW_WORD] == 0) return false;
+        round_.reset(OVERFLOW_WORD);
         grow(2 * round_.geometry.capacity);
         cut_spans();
         return true;
+    }
+
+    void download() override {
+        if (boxes_) return boxes_->download();
+        round_.download_results(free_lengths_, round_.plan.lines);
     }
 
     void end_round() override {
@@ -121,31 +121,32 @@ public:
     }
 
     std::span<const std::uint32_t> free_lengths() const override {
-        return boxes_ ? boxes_->free_lengths() : free_lengths_;
+        return boxes_ ? boxes_->free_lengths() : std::span(free_lengths_).first(round_.plan.lines);
     }
     std::uint32_t width() const override {
         return boxes_ ? boxes_->width() : round_.plan.strip_width;
     }
 
     void snapshot(Snapshot& snapshot) override {
-        if (grid_) grid_->snapshot(snapshot);
+        if (round_.plan.is_exact()) grid_.snapshot(snapshot);
         if (boxes_) {
             snapshot.box_width = boxes_->width();
             snapshot.boxes = boxes_->get();
             return;
         }
-        std::vector<std::uint32_t> counts(round_.plan.lines);
+        std::vector<std::uint32_t> counts(all_tiles());
         round_.get<std::uint32_t>(round_.memory.span_counts, counts);
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
-            std::vector<Span> slots(std::size_t{slabs_[i].lines()} * round_.geometry.capacity);
+            std::vector<Span> slots(std::size_t{slabs_[i].lines()} * tiles_.count *
+                                    round_.geometry.capacity);
             round_.get<Span>(spans_[i], slots);
             round_.queue.wait();
-            unpack(slabs_[i], slots, counts, snapshot);
+            unpack(slabs_[i], tiles_, slots, counts, snapshot);
         }
     }
 
     void restore(const Snapshot& snapshot) override {
-        if (grid_) grid_->restore(snapshot);
+        grid_.restore(snapshot);
         boxes_.reset();
         slabs_.clear();
         spans_.clear();
@@ -155,26 +156,25 @@ public:
     }
 
 private:
-    // The number of draws that one item serves; each may walk along a whole line.
-    std::uint32_t chunk_of_lines() const {
-        const std::uint32_t run = round_.queue.run_of(round_.part_count());
-        if (!round_.queue.runs_in_lockstep()) return run;
-        return std::clamp(kMostTurns / round_.geometry.capacity, 1u, run);
-    }
+    // The most samples of a round near a tile of a column; grows with the room for spans.
+    std::uint32_t near_room() const { return kSamplesNearSpan * round_.geometry.capacity; }
 
-    // At the first refinement: counts the boxes of each line and, once there is room, writes them.
+    RoundMemory::Listing listing() const { return {.words_of_bin = 1, .bins = round_.plan.lines}; }
+
+    // Of all lines.
+    std::uint32_t all_tiles() const { return round_.plan.lines * tiles_.count; }
+
+    // At the first refinement: counts the boxes of each tile and, once there is room, writes them.
     void turn_into_boxes() {
-        std::array<std::uint32_t, 1> total{};
-        make_room_to_scan(round_, round_.plan.lines);
+        make_room_to_scan(round_, all_tiles());
         round_.make_room(round_.memory.boxes, 0);
         unfold(true);
-        scan(round_.queue, round_.memory, round_.plan.lines);
-        round_.get<std::uint32_t>(round_.memory.total, total);
-        round_.start_download(false);
+        scan(round_.queue, round_.memory, all_tiles());
+        round_.start_download();
         round_.queue.wait();
         round_.throw_if_failed();
         boxes_.emplace(round_, round_.plan.strip_width);
-        boxes_->make_room(total.front());
+        boxes_->make_room(round_.report[TOTAL_WORD]);
         unfold(false);
         slabs_.clear();
         spans_.clear();
@@ -183,54 +183,43 @@ private:
     void unfold(bool is_counting) {
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
             portable::SlabArguments arguments = arguments_of(i);
-            arguments.block_bits = block_bits_of_scan(round_.plan.lines);
-            arguments.is_counting = is_counting ? 1 : 0;
-            launch<kernels::unfold>(round_.queue, memory_of(i), arguments, slabs_[i].lines(),
-                                    round_.geometry.capacity / (is_counting ? 8 : 4));
+            if (!is_counting) arguments.block_bits = block_bits_of_scan(all_tiles());
+            launch<kernels::unfold>(round_.queue, memory_of(i), arguments,
+                                    arguments.end_tile - arguments.first_tile, kTileWork);
         }
-    }
-
-    // Uploads the lines' first spans, packed, and then spreads them out.
-    void make_lines() {
-        Snapshot first;
-        first.capacity = 1;
-        for (std::uint32_t line = 0; line < round_.plan.lines; ++line) {
-            first.spans.push_back(first_spans(round_.plan, line));
-            const auto count = static_cast<std::uint32_t>(first.spans.back().size());
-            first.capacity = std::max(first.capacity, count);
-        }
-        put_spans(first);
-        grow(std::max(first_capacity(round_.plan), first.capacity));
-        round_.queue.wait();
     }
 
     void put_spans(const Snapshot& snapshot) {
         make_slabs(snapshot.capacity);
+        std::uint64_t tile = 0;
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
-            const std::vector<Span> slots = pack(slabs_[i], snapshot);
-            round_.put<Span>(spans_[i], slots);
+            const Packed packed = pack(slabs_[i], tiles_, snapshot);
+            round_.put<Span>(spans_[i], packed.slots);
+            round_.put<std::uint32_t>(round_.memory.span_counts, packed.counts, tile);
+            round_.put<std::uint32_t>(round_.memory.tile_lengths, packed.lengths, tile);
             round_.queue.wait();
+            tile += packed.counts.size();
         }
-        std::vector<std::uint32_t> counts, lengths;
-        for (const std::vector<Span>& of_line : snapshot.spans) {
-            counts.push_back(static_cast<std::uint32_t>(of_line.size()));
-            lengths.push_back(0);
-            for (const Span span : of_line) lengths.back() += span.end - span.begin;
-        }
-        round_.put<std::uint32_t>(round_.memory.span_counts, counts);
-        round_.put<std::uint32_t>(round_.memory.free_lengths, lengths);
-        round_.queue.wait();
+        sum_tiles();
+        free_lengths_.assign(round_.plan.lines, 0);
+        for (std::uint32_t line = 0; line < round_.plan.lines; ++line)
+            for (const Span span : snapshot.spans[line])
+                free_lengths_[line] += span.end - span.begin;
     }
 
     void make_slabs(std::uint32_t capacity) {
         round_.geometry.capacity = capacity;
-        slabs_ = share_out(round_.plan.lines, capacity, largest_slab_);
+        slabs_ = share_out(round_.plan.lines, capacity * tiles_.count, largest_slab_);
         spans_.assign(slabs_.size(), {});
+        const std::uint64_t lists = std::uint64_t{round_.geometry.columns} * tiles_.count;
+        round_.make_room(round_.memory.near, 2 * lists * near_room());
+        round_.make_room(round_.memory.near_counts, lists);
         for (std::size_t i = 0; i < slabs_.size(); ++i)
-            round_.make_room(spans_[i], 2 * std::uint64_t{slabs_[i].lines()} * capacity);
+            round_.make_room(spans_[i],
+                             2 * std::uint64_t{slabs_[i].lines()} * tiles_.count * capacity);
     }
 
-    // Makes room for `larger` spans a line, and keeps the spans.
+    // Makes room for `larger` spans a tile, and keeps the spans.
     void grow(std::uint32_t larger) {
         const std::vector<Slab> old_slabs = std::move(slabs_);
         const std::vector<Buffer> old_spans = std::move(spans_);
@@ -239,34 +228,48 @@ private:
         Memory memory = round_.memory;
         for (std::size_t from = 0; from < old_slabs.size(); ++from) {
             for (std::size_t to = 0; to < slabs_.size(); ++to) {
-                arguments.slab_begin = old_slabs[from].first_line;
-                arguments.to_begin = slabs_[to].first_line;
-                arguments.first_line = std::max(arguments.slab_begin, arguments.to_begin);
-                arguments.end_line = std::min(old_slabs[from].end_line, slabs_[to].end_line);
-                if (arguments.first_line >= arguments.end_line) continue;
+                const auto& [old_first, old_end] = old_slabs[from];
+                const auto& [first, end] = slabs_[to];
+                arguments.slab_begin = old_first * tiles_.count;
+                arguments.to_begin = first * tiles_.count;
+                arguments.first_tile = std::max(old_first, first) * tiles_.count;
+                arguments.end_tile = std::min(old_end, end) * tiles_.count;
+                if (arguments.first_tile >= arguments.end_tile) continue;
                 memory.spans = old_spans[from];
                 memory.new_spans = spans_[to];
                 launch<kernels::grow>(round_.queue, memory, arguments,
-                                      arguments.end_line - arguments.first_line, kGrowWork);
+                                      arguments.end_tile - arguments.first_tile, kTileWork);
             }
         }
     }
 
     void cut_spans() {
-        const std::uint32_t columns = round_.geometry.columns;
-        const std::uint64_t near = 3 * std::uint64_t{round_.draws_per_column()};
-        round_.queue.fill(round_.memory.overflow, 0, 1);
-        launch<kernels::collect>(round_.queue, round_.memory,
-                                 {.last_pass = kPasses - 1, .g = round_.geometry}, columns, near);
+        launch<kernels::collect>(round_.queue, round_.memory, arguments_of(0),
+                                 std::uint64_t{round_.geometry.columns} * tiles_.count,
+                                 kSubtractWork);
         const Span own = round_.plan.own_lines();
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
             portable::SlabArguments arguments = arguments_of(i);
-            arguments.first_line = std::max(arguments.first_line, own.begin);
-            arguments.end_line = std::min(arguments.end_line, own.end);
-            if (arguments.first_line < arguments.end_line)
+            arguments.first_tile = std::max(arguments.first_tile, own.begin * tiles_.count);
+            arguments.end_tile = std::min(arguments.end_tile, own.end * tiles_.count);
+            if (arguments.first_tile < arguments.end_tile)
                 launch<kernels::subtract>(round_.queue, memory_of(i), arguments,
-                                          arguments.end_line - arguments.first_line, near);
+                                          arguments.end_tile - arguments.first_tile, kSubtractWork);
         }
+        sum_tiles();
+    }
+
+    void sum_tiles() {
+        portable::SlabArguments arguments{.g = round_.geometry, .tiles = tiles_.count};
+        launch<kernels::sum_tiles>(round_.queue, round_.memory, arguments, round_.plan.lines,
+                                   kTileWork);
+    }
+
+    template <typename Kernel>
+    void launch_over_tiles(std::size_t slab) {
+        const portable::SlabArguments arguments = arguments_of(slab);
+        launch<Kernel>(round_.queue, memory_of(slab), arguments,
+                       arguments.end_tile - arguments.first_tile, kTileWork);
     }
 
     Memory memory_of(std::size_t slab) const {
@@ -275,23 +278,24 @@ private:
         return memory;
     }
     portable::SlabArguments arguments_of(std::size_t slab) const {
-        return {.chunk = 1,
-                .g = round_.geometry,
-                .first_line = slabs_[slab].first_line,
-                .end_line = slabs_[slab].end_line,
-                .slab_begin = slabs_[slab].first_line,
-                .last_pass = kPasses - 1};
+        return {.g = round_.geometry,
+                .first_tile = slabs_[slab].first_line * tiles_.count,
+                .end_tile = slabs_[slab].end_line * tiles_.count,
+                .slab_begin = slabs_[slab].first_line * tiles_.count,
+                .near_room = near_room(),
+                .last_pass = kPasses - 1,
+                .tiles = tiles_.count,
+                .tile_height = tiles_.height};
     }
 
+    const Tiles tiles_;
     std::uint64_t largest_slab_;
     std::vector<std::uint32_t> first_lines_;
-    std::optional<Grid> grid_;    // in exact
+    Grid grid_;
     std::optional<Boxes> boxes_;  // from the first refinement on, in place of spans
     std::vector<Slab> slabs_;
-    std::vector<Buffer> spans_;  // of each slab; freed at the first refinement
-    std::vector<std::uint32_t> near_begins_;
-    std::vector<std::uint32_t> free_lengths_;
-    std::array<std::uint32_t, 1> overflow_{};
+    std::vector<Buffer> spans_;                // of each slab; freed at the first refinement
+    std::vector<std::uint32_t> free_lengths_;  // of the lines
 };
 
 }  // namespace

@@ -39,9 +39,8 @@ cl::Program Device::compiled(std::string_view source) {
     return guard([&] {
         auto program = std::make_unique<cl::Program>(context_, std::string(source));
         // See kernels/bodies/common/prelude.h.
-        const bool is_oclgrind = entry_.name.find("Oclgrind") != std::string::npos;
         const char* const options =
-            is_oclgrind ? "-cl-std=CL1.2 -DLACUNA_ATOMIC_LOOKS" : "-cl-std=CL1.2";
+            is_oclgrind() ? "-cl-std=CL1.2 -DLACUNA_ATOMIC_LOOKS" : "-cl-std=CL1.2";
         try {
             program->build(device_, options);
         } catch (const cl::BuildError& error) {

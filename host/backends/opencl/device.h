@@ -38,6 +38,7 @@ public:
     explicit Device(const Found& found);
 
     const DeviceEntry& entry() const { return entry_; }
+    bool is_oclgrind() const { return entry_.name.find("Oclgrind") != std::string::npos; }
     const cl::Device& device() const { return device_; }
     const cl::Context& context() const { return context_; }
     Turns& turns() { return turns_; }

@@ -12,7 +12,7 @@
 #define LACUNA_OPENCL_ENTRIES(ENTRY) \
     ENTRY(clBuildProgram) ENTRY(clCreateBuffer) ENTRY(clCreateCommandQueueWithProperties) \
     ENTRY(clCreateContext) ENTRY(clCreateKernel) ENTRY(clCreateProgramWithSource) \
-    ENTRY(clEnqueueNDRangeKernel) ENTRY(clEnqueueReadBuffer) ENTRY(clEnqueueWriteBuffer) \
+    ENTRY(clEnqueueFillBuffer) ENTRY(clEnqueueNDRangeKernel) ENTRY(clEnqueueReadBuffer) ENTRY(clEnqueueWriteBuffer) \
     ENTRY(clFinish) ENTRY(clFlush) ENTRY(clGetDeviceIDs) ENTRY(clGetDeviceInfo) \
     ENTRY(clGetPlatformIDs) ENTRY(clGetPlatformInfo) ENTRY(clGetProgramBuildInfo) \
     ENTRY(clGetProgramInfo) ENTRY(clReleaseCommandQueue) ENTRY(clReleaseContext) \
@@ -58,6 +58,7 @@ std::string why_no_loader();
 #define clCreateContext lacuna_clCreateContext
 #define clCreateKernel lacuna_clCreateKernel
 #define clCreateProgramWithSource lacuna_clCreateProgramWithSource
+#define clEnqueueFillBuffer lacuna_clEnqueueFillBuffer
 #define clEnqueueNDRangeKernel lacuna_clEnqueueNDRangeKernel
 #define clEnqueueReadBuffer lacuna_clEnqueueReadBuffer
 #define clEnqueueWriteBuffer lacuna_clEnqueueWriteBuffer

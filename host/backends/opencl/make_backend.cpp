@@ -16,9 +16,7 @@ std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placeme
 }
 
 std::unique_ptr<device::Queue> open_queue(const Placement& placement, const Trial& trial) {
-    auto queue = make_queue(kept_device(placement.device), trial.sources);
-    queue->count_launches(trial.launches);
-    return queue;
+    return make_queue(kept_device(placement.device), trial.sources);
 }
 
 }  // namespace lacuna::opencl

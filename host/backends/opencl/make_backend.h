@@ -21,7 +21,6 @@ std::vector<DeviceEntry> list_devices();
 // For tests, which must be able to show that these kernels do the work.
 struct Trial {
     std::vector<std::string> sources{};  // searched for a kernel before the embedded ones
-    std::uint64_t* launches = nullptr;   // counts the kernels launched
 };
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement,
                                       const device::Tuning& tuning, const Trial& trial = {});

@@ -50,23 +50,16 @@ public:
     }
 
     void fill(const Buffer& buffer, std::uint32_t value, std::uint64_t words) override {
-        // Not clEnqueueFillBuffer: Oclgrind regards the memory that it fills as uninitialized.
+        if (words == 0) return;
+        if (!device_->is_oclgrind())
+            return guard(
+                [&] { queue_.enqueueFillBuffer(of(buffer), value, 0, words * device::kWord); });
+        // Oclgrind regards memory that clEnqueueFillBuffer fills as uninitialized.
         const auto& some = filling_.emplace_back(std::min<std::uint64_t>(words, kFillWords), value);
         for (std::uint64_t at = 0; at < words; at += some.size()) {
             const std::uint64_t count = std::min<std::uint64_t>(some.size(), words - at);
             upload(buffer, std::as_bytes(std::span(some).first(count)), at * device::kWord);
         }
-    }
-
-    void upload(const Buffer& to, std::span<const std::byte> from, std::uint64_t offset) override {
-        if (from.empty()) return;
-        guard(
-            [&] { queue_.enqueueWriteBuffer(of(to), CL_FALSE, offset, from.size(), from.data()); });
-    }
-
-    void download(const Buffer& from, std::span<std::byte> to) override {
-        if (to.empty()) return;
-        guard([&] { queue_.enqueueReadBuffer(of(from), CL_FALSE, 0, to.size(), to.data()); });
     }
 
     std::uint32_t run_of(std::uint32_t amount) const override {
@@ -83,6 +76,16 @@ public:
     }
 
 protected:
+    void enqueue_upload(const Buffer& to, std::span<const std::byte> from,
+                        std::uint64_t offset) override {
+        guard(
+            [&] { queue_.enqueueWriteBuffer(of(to), CL_FALSE, offset, from.size(), from.data()); });
+    }
+
+    void enqueue_download(const Buffer& from, std::span<std::byte> to) override {
+        guard([&] { queue_.enqueueReadBuffer(of(from), CL_FALSE, 0, to.size(), to.data()); });
+    }
+
     std::uint32_t group_size() const override { return group_size_; }
     std::uint64_t most_groups() const override {
         return std::numeric_limits<std::uint32_t>::max() / group_size_;

@@ -26,12 +26,9 @@ std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placeme
 }
 
 std::unique_ptr<device::Queue> open_queue(const Placement& placement, const Trial& trial) {
-    auto queue =
-        make_queue(trial.validation == nullptr ? kept_device(placement.device)
-                                               : validated_device(placement, trial.validation),
-                   trial.shader_of);
-    queue->count_launches(trial.launches);
-    return queue;
+    return make_queue(trial.validation == nullptr ? kept_device(placement.device)
+                                                  : validated_device(placement, trial.validation),
+                      trial.shader_of);
 }
 
 }  // namespace lacuna::vulkan

@@ -29,7 +29,6 @@ using ShaderOf = std::function<std::vector<std::uint32_t>(std::string_view kerne
 struct Trial {
     ShaderOf shader_of{};
     const Validation* validation = nullptr;  // must outlive the backend
-    std::uint64_t* launches = nullptr;       // counts the kernels launched
 };
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement,
                                       const device::Tuning& tuning, const Trial& trial = {});

@@ -71,8 +71,15 @@ public:
         in_use_.push_back(buffer);
     }
 
-    void upload(const Buffer& to, std::span<const std::byte> from, std::uint64_t offset) override {
-        if (from.empty()) return;
+    std::uint32_t run_of(std::uint32_t) const override {
+        return device().kind == "cpu" ? kServedTogether : 1;
+    }
+    bool runs_in_lockstep() const override { return true; }
+    void drain() noexcept override {}  // submit() has waited already
+
+protected:
+    void enqueue_upload(const Buffer& to, std::span<const std::byte> from,
+                        std::uint64_t offset) override {
         const Staged staged = up_.take(*this, from.size());
         std::memcpy(staged.bytes, from.data(), from.size());
         device_->guarded([&] {
@@ -82,8 +89,7 @@ public:
         in_use_.push_back(to);
     }
 
-    void download(const Buffer& from, std::span<std::byte> to) override {
-        if (to.empty()) return;
+    void enqueue_download(const Buffer& from, std::span<std::byte> to) override {
         const Staged staged = down_.take(*this, to.size());
         device_->guarded([&] {
             recording().copyBuffer(of(from), staged.buffer,
@@ -93,13 +99,6 @@ public:
         arriving_.push_back({staged.bytes, to});
     }
 
-    std::uint32_t run_of(std::uint32_t) const override {
-        return device().kind == "cpu" ? kServedTogether : 1;
-    }
-    bool runs_in_lockstep() const override { return true; }
-    void drain() noexcept override {}  // submit() has waited already
-
-protected:
     std::uint32_t group_size() const override { return kGroupSize; }
     std::uint64_t most_groups() const override { return device_->most_groups(); }
 

@@ -59,6 +59,15 @@ Json what_decides(const Request& request, const Result& result) {
     return json_of(recipes::describe(request, result));
 }
 
+Json json_of(const Work& work) {
+    return {{"launches", work.launches},
+            {"waits", work.waits},
+            {"uploads", work.uploads},
+            {"downloads", work.downloads},
+            {"uploaded_bytes", work.uploaded_bytes},
+            {"downloaded_bytes", work.downloaded_bytes}};
+}
+
 std::string report_of(const Request& request, const Made& made) {
     return report_of(request, made, Json::object());
 }
@@ -71,10 +80,10 @@ std::string report_of(const Request& request, const Made& made, const Json& more
                 {"count", result.points.size()},
                 {"radius", result.radius}};
     if (result.scale > 0) report["scale"] = result.scale;
-    report.update({{"maximal", result.maximal},
-                   {"rounds", result.rounds},
-                   {"draws", result.draws},
-                   {"seconds", json_of(made.stopwatch, made.seconds)},
+    report.update(
+        {{"maximal", result.maximal}, {"rounds", result.rounds}, {"draws", result.draws}});
+    if (result.work.launches != 0) report["work"] = json_of(result.work);
+    report.update({{"seconds", json_of(made.stopwatch, made.seconds)},
                    {"backend", result.backend},
                    {"device", result.device},
                    {"peak_memory_bytes", peak_memory_bytes()},

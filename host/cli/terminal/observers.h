@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lacuna/lacuna.h>
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -26,6 +27,10 @@ public:
     void end(Verb verb) override {
         for (Observer& observer : all_) observer.end(verb);
     }
+    bool times_verbs() const override {
+        return std::any_of(all_.begin(), all_.end(),
+                           [](const Observer& observer) { return observer.times_verbs(); });
+    }
 
 private:
     std::vector<std::reference_wrapper<Observer>> all_;
@@ -43,6 +48,7 @@ public:
     void end(Verb verb) override {
         spent_[index_of(verb)] += Clock::now() - begun_[index_of(verb)];
     }
+    bool times_verbs() const override { return true; }
 
     double seconds(Verb verb) const { return spent_[index_of(verb)].count(); }
     double seconds_so_far() const { return Seconds(Clock::now() - start_).count(); }

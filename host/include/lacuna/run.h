@@ -76,8 +76,23 @@ public:
     virtual bool keep_going(const Progress&) { return true; }
     virtual void begin(Verb) {}
     virtual void end(Verb) {}
-    // All three functions may throw: sample() then ends with that exception. But an exception that
-    // end() throws while another one is being handled is lost.
+    // Whether end() is to be called only when a device has done the verb. Waiting for each verb
+    // slows devices down. Otherwise the time of a round shows in Verb::transfer.
+    virtual bool times_verbs() const { return false; }
+    // The first three functions may throw: sample() then ends with that exception. But an exception
+    // that end() throws while another one is being handled is lost.
+};
+
+// What the host asked of a device. These numbers depend on the request and the backend, and hardly
+// on the device, so that they can be compared where times cannot. 0 on backends without a device.
+struct Work {
+    std::uint64_t launches = 0;  // of kernels; a long one is launched in slices
+    std::uint64_t waits = 0;     // of the host, until the device is idle
+    std::uint64_t uploads = 0;
+    std::uint64_t downloads = 0;
+    std::uint64_t uploaded_bytes = 0;
+    std::uint64_t downloaded_bytes = 0;
+    Work& operator+=(const Work& other);
 };
 
 }  // namespace lacuna

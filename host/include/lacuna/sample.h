@@ -202,6 +202,7 @@ struct Result {
     std::uint64_t draws = 0;
     std::string backend{};        // the name of the backend that did the work
     std::string device{};         // the name of its device
+    Work work{};                  // in rounds and draws, as these are counted
     std::vector<Level> levels{};  // the finished levels of a progressive order
 };
 

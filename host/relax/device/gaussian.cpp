@@ -12,6 +12,7 @@
 #include "backends/device/kernels.h"
 #include "backends/device/scan.h"
 #include "portable/failure.h"
+#include "portable/report.h"
 #include "relax/device/memory.h"
 
 namespace lacuna::relaxing::device {
@@ -46,7 +47,7 @@ public:
         put<std::int32_t>(memory_.weights, field.weights);
         put<std::int32_t>(memory_.edges, edges_);
         put<std::uint32_t>(memory_.column_reaches, field.column_reaches);
-        queue_->fill(memory_.failure, 0, 1);
+        queue_->fill(memory_.report, 0, REPORT_WORDS);
         queue_->wait();
     }
 
@@ -64,9 +65,10 @@ public:
         lacuna::device::scan(*queue_, memory_, cells_ + 1);
         launch<kernels::sort_into_cells>(pace, kSortWork);
         launch<kernels::descend>(pace, kDescendWork);
-        queue_->download(memory_.failure, std::as_writable_bytes(std::span(failure_)));
+        queue_->download(memory_.report, std::as_writable_bytes(std::span(report_)));
         queue_->wait();
-        if (failure_.front() != 0) throw lacuna::device::ended_early(queue_->device(), "descend");
+        if (report_[FAILURE_WORD] != 0)
+            throw lacuna::device::ended_early(queue_->device(), "descend");
     }
 
     std::vector<Spot> spots() override {
@@ -82,8 +84,7 @@ public:
 private:
     void make_memory(const GaussianField& field) {
         const std::uint64_t samples = movers_.size();
-        const std::uint64_t blocks =
-            (cells_ >> lacuna::device::block_bits_of_scan(cells_ + std::uint64_t{1})) + 1;
+        const std::uint64_t blocks = lacuna::device::blocks_of_scan(cells_ + std::uint64_t{1});
         const std::array needs{Need{&Memory::movers, 4 * samples},
                                Need{&Memory::sorted_movers, 4 * samples},
                                Need{&Memory::mover_ids, samples},
@@ -91,11 +92,11 @@ private:
                                Need{&Memory::ranks, samples},
                                Need{&Memory::counts, cells_ + std::uint64_t{1}},
                                Need{&Memory::sums, blocks},
-                               Need{&Memory::total, 1},
+                               Need{&Memory::tops, blocks},
                                Need{&Memory::weights, field.weights.size()},
                                Need{&Memory::edges, edges_.size()},
                                Need{&Memory::column_reaches, field.column_reaches.size()},
-                               Need{&Memory::failure, 1}};
+                               Need{&Memory::report, REPORT_WORDS}};
         memory_ = make_buffers(*queue_, needs);
     }
 
@@ -120,7 +121,7 @@ private:
     std::vector<Mover> movers_;       // for transfers in both directions
     std::vector<std::uint32_t> ids_;  // of movers_
     std::vector<std::int32_t> edges_;
-    std::array<std::uint32_t, 1> failure_{};
+    std::array<std::uint32_t, REPORT_WORDS> report_{};
 };
 
 }  // namespace

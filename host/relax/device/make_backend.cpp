@@ -12,6 +12,7 @@
 
 #include "base/workers.h"
 #include "portable/failure.h"
+#include "portable/report.h"
 #include "portable/site_tree.h"
 #include "relax/cpu/nearest_point.h"
 #include "relax/cpu/site_tree.h"
@@ -69,7 +70,7 @@ public:
         masses.resize((masses.size() + 1) / 2 * 2);  // padded to whole words
         put<std::uint16_t>(memory_.masses, masses);
         queue_->fill(memory_.hints, NO_OWNER, memory_.hints.words());
-        queue_->fill(memory_.failure, 0, 1);
+        queue_->fill(memory_.report, 0, REPORT_WORDS);
         restore(sites);
     }
 
@@ -203,9 +204,10 @@ private:
     std::uint32_t wait_for_assign(const Memory& memory) {
         std::array<std::uint32_t, 1> late{};
         get<std::uint32_t>(memory.late_count, late);
-        get<std::uint32_t>(memory.failure, failure_);
+        get<std::uint32_t>(memory.report, report_);
         queue_->wait();
-        if (failure_.front() != 0) throw lacuna::device::ended_early(queue_->device(), "assign");
+        if (report_[FAILURE_WORD] != 0)
+            throw lacuna::device::ended_early(queue_->device(), "assign");
         return late.front();
     }
 
@@ -301,7 +303,7 @@ private:
     std::uint32_t depth_;
     Memory memory_;
     std::vector<Words4> sites_, shares_, moments_;  // for transfers in both directions
-    std::array<std::uint32_t, 1> failure_{};
+    std::array<std::uint32_t, REPORT_WORDS> report_{};
     bool has_hints_ = false;  // found by the first assign, which can be cancelled
 };
 

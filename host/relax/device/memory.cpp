@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "backends/device/layout.h"
+#include "portable/report.h"
 #include "portable/site_tree.h"
 
 namespace lacuna::relaxing::device {
@@ -43,7 +44,7 @@ std::vector<Need> needs_of(const Lattice& lattice, std::uint64_t sites, std::uin
             {&Memory::moments, 4 * sites},
             {&Memory::late, leaves},
             {&Memory::late_count, 1},
-            {&Memory::failure, 1},
+            {&Memory::report, REPORT_WORDS},
             {&Memory::owners, 1}};
 }
 

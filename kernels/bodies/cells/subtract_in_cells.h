@@ -119,7 +119,7 @@ BODY void serve_sample(MEMORY const DrawArguments a, const u32x4 admitted, const
 // and the next launch takes it from `todo` with more slices. Does nothing while admission is
 // unfinished.
 BODY void serve_subtract_in_cells(MEMORY const DrawArguments a, const u32 item) {
-    if (AT(undecided, a.last_pass) != 0u) return;
+    if (AT(report, a.last_pass) != 0u) return;
     const u32 begin = a.first + item / a.slices * a.chunk;
     const u32 end = min(begin + a.chunk, a.count);
     for (u32 k = begin; k < end; ++k) {
@@ -130,7 +130,7 @@ BODY void serve_subtract_in_cells(MEMORY const DrawArguments a, const u32 item) 
         if (AT(pixel_reaches, pixel) <= a.most_reach)
             serve_sample(ON a, admitted, pixel, item % a.slices);
         else if (item % a.slices == 0u)
-            AT(left, ATOMIC_ADD(left_count, 0, 1u)) = i;
+            AT(left, ATOMIC_ADD(report, LEFT_WORD, 1u)) = i;
     }
     CHECK_TURNS(a.g.height, FAILED_SUBTRACT);
 }

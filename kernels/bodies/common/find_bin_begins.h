@@ -6,7 +6,7 @@ BODY void serve_find_bin_begins(MEMORY const ColumnArguments a, const u32 column
     if (column > a.g.columns) return;
     const u32 line = first_line_of_column(column, a.g.lines, a.g.columns);
     u32 begin = 0u;
-    u32 end = min(AT(total, 0), a.room);
+    u32 end = min(AT(report, TOTAL_WORD) - AT(report, SAMPLES_WORD), a.room);
     while (begin < end) {
         const u32 middle = begin + (end - begin) / 2u;
         if (AT(new_boxes, middle).x / a.g.strip_width < line)

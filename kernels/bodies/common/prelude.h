@@ -12,6 +12,7 @@
 #endif
 #include "portable/failure.h"
 #include "portable/kernels.h"
+#include "portable/report.h"
 #include "portable/status.h"
 
 #if defined(__OPENCL_C_VERSION__)
@@ -91,6 +92,6 @@ typedef struct Memory {
 // Raises the flag if earlier loops were ended early (portable/failure.h). `number` is any value
 // that the compiler does not know.
 #define CHECK_TURNS(number, flag) \
-    if (!has_turns_left(number)) ATOMIC_OR(failure, 0, flag)
+    if (!has_turns_left(number)) ATOMIC_OR(report, FAILURE_WORD, flag)
 
 #endif

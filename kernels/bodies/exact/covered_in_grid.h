@@ -1,4 +1,5 @@
-// What screen asks in exact: whether a sample in the grid covers a candidate.
+// What screen asks in lines and exact: whether a sample in the grid covers a candidate.
+#include "bodies/lines/place.h"
 #include "portable/distance.h"
 #include "portable/stretch.h"
 
@@ -12,7 +13,8 @@ BODY u32 is_covered_from(MEMORY const Geometry g, const u32 cell, const u32 x, c
     return (is_near ? 1u : 0u) & (sample_x != NO_SAMPLE ? 1u : 0u);
 }
 
-// A disk that touches no edge lies within 4 x 4 cells, because it is 2 sqrt(2) < 3 cells wide.
+// In exact a disk that touches no edge lies within 4 x 4 cells, because it is 2 sqrt(2) < 3 cells
+// wide.
 // There is no branch, because neighbouring items, which run in lockstep, look at different places.
 BODY bool is_covered_inside(MEMORY const Geometry g, const u32 x, const u32 y) {
     const u32 column = min((x - g.radius) / g.grid_side, g.grid_columns - 4u);
@@ -29,9 +31,9 @@ BODY bool is_covered_inside(MEMORY const Geometry g, const u32 x, const u32 y) {
 // Whether a sample in the grid is closer than the radius.
 BODY bool is_covered(MEMORY const DrawArguments a, const u32 i) {
     const Geometry g = a.g;
-    const u32 x = AT(candidates, i).x;
+    const u32 x = place_of(a, AT(candidates, i));
     const u32 y = AT(candidates, i).y;
-    if (min(g.grid_columns, g.grid_rows) >= 4u && g.radius < min(g.width, g.height) &&
+    if (g.rule != RULE_OF_LINES && min(g.grid_columns, g.grid_rows) >= 4u && g.radius < min(g.width, g.height) &&
         min(x, y) >= g.radius && x < g.width - g.radius && y < g.height - g.radius)
         return is_covered_inside(ON g, x, y);
     const Stretch columns =
@@ -48,4 +50,10 @@ BODY bool is_covered(MEMORY const DrawArguments a, const u32 i) {
     return covered != 0u;
 }
 
-BODY void leave_open(MEMORY const DrawArguments a, const u32 i) {}
+// Lists the candidate in its cell, for decide. A restored round may have admitted it before.
+BODY void leave_open(MEMORY const DrawArguments a, const u32 i) {
+    if (a.is_listed == 0u || AT(statuses, i) > STATUS_ADMITTED) return;
+    const u32x4 candidate = AT(candidates, i);
+    const u32 cell = candidate.x / a.g.grid_side * a.g.grid_rows + candidate.y / a.g.grid_side;
+    AT(next_candidates, i) = ATOMIC_SET(cell_heads, cell, i);
+}

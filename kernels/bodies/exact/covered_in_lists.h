@@ -17,5 +17,5 @@ BODY bool is_covered(MEMORY const DrawArguments a, const u32 i) {
 
 // Lists the candidate as a survivor, for reach, if the round has one part.
 BODY void leave_open(MEMORY const DrawArguments a, const u32 i) {
-    if (a.is_listed != 0u) AT(survivors, ATOMIC_ADD(survivor_count, 0, 1u)) = i;
+    if (a.is_listed != 0u) AT(survivors, ATOMIC_ADD(report, SURVIVORS_WORD, 1u)) = i;
 }

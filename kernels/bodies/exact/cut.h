@@ -5,7 +5,7 @@
 // 2^strip_bits for a box: [x, y) of its piece; y is 0 if there is none, and NO_SAMPLE if there are
 // several. A plan's halo is not cut. Does nothing while a draw is undecided.
 BODY void serve_cut(MEMORY const StripArguments a, const u32 item) {
-    if (AT(undecided, a.last_pass) != 0u) return;
+    if (AT(report, a.last_pass) != 0u) return;
     const u32 end_box = min((item + 1u) * a.chunk, a.boxes);
     for (u32 number = item * a.chunk; number < end_box; ++number) {
         const Box box = box_at(ON a, number);

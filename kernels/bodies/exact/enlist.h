@@ -22,7 +22,7 @@ BODY void close_block(MEMORY const u32 leaf) {
 }
 
 BODY void serve_enlist(MEMORY const DrawArguments a, const u32 item) {
-    if (AT(undecided, a.last_pass) != 0u) return;
+    if (AT(report, a.last_pass) != 0u) return;
     const u32 end = min((item + 1u) * a.chunk, a.count);
     for (u32 block = item * a.chunk; block < end; ++block) {
         const u32 head = AT(visitor_heads, block);
@@ -32,7 +32,7 @@ BODY void serve_enlist(MEMORY const DrawArguments a, const u32 item) {
         if (count == 0u) continue;
         const u32x2 node_and_least = AT(node_of, block);
         bool is_covered = false;
-        u32 number = ATOMIC_ADD(entry_count, 0, count);
+        u32 number = ATOMIC_ADD(report, ENTRIES_WORD, count);
         u32 next = AT(lists, block);
         for (u32 i = head; i != NO_SAMPLE; i = AT(visitors, i).y) {
             const u32 candidate = AT(visitors, i).x;

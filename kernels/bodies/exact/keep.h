@@ -1,4 +1,5 @@
 // The body of keep: writes the pieces that cut has counted to the new boxes. Comes after pieces.h.
+#include "bodies/common/sums.h"
 
 // A piece that does not fit into the room is left out: the host sees the total, and launches again.
 BODY void keep_piece(MEMORY const StripArguments a, const u32 from, const Strip strip,
@@ -26,10 +27,10 @@ BODY u32 keep_several(MEMORY const StripArguments a, const u32 number, const Box
     return next;
 }
 
-// counts[box] + sums[box's block] is the index of the first piece of a box; its other pieces
+// sum_before() is the index of the first piece of a box; its other pieces
 // follow. Does nothing while a draw is undecided.
 BODY void serve_keep(MEMORY const StripArguments a, const u32 item) {
-    if (AT(undecided, a.last_pass) != 0u) return;
+    if (AT(report, a.last_pass) != 0u) return;
     const u32 end = min((item + 1u) * a.chunk, a.boxes) << a.strip_bits;
     u32 number = NO_SAMPLE;
     u32 to = 0u;
@@ -39,7 +40,7 @@ BODY void serve_keep(MEMORY const StripArguments a, const u32 item) {
         if (index == end) break;
         if (index >> a.strip_bits != number) {
             number = index >> a.strip_bits;
-            to = AT(counts, number) + AT(sums, number >> a.block_bits);
+            to = sum_before(ON number, a.block_bits);
         }
         const Box box = box_at(ON a, number);
         const Strip strip = strip_of(a, box, index & (1u << a.strip_bits) - 1u);

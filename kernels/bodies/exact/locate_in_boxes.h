@@ -7,6 +7,7 @@ BODY void serve_locate_in_boxes(MEMORY const DrawArguments a, const u32 item) {
         const u32x4 draw = AT(draws, i);
         const u32x4 box = AT(boxes, draw.x);
         const u32 x = box.x + draw.z;
-        AT(located, i) = U32X4(x, box.z + draw.y, x / a.g.strip_width, draw.w);
+        AT(candidates, i) = U32X4(x, box.z + draw.y, x / a.g.strip_width, draw.w);
+        AT(statuses, i) = STATUS_UNDECIDED;
     }
 }

@@ -77,7 +77,7 @@ BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root
         }
         ++node;
         if (node != links.y) continue;
-        const u32 number = ATOMIC_ADD(visitor_count, 0, 1u);
+        const u32 number = ATOMIC_ADD(report, VISITORS_WORD, 1u);
         if (number >= a.room) continue;
         const u32 earlier = ATOMIC_SET(visitor_heads, links.z, number);
         AT(visitors, number) = U32X2(i, earlier);
@@ -98,7 +98,7 @@ BODY void list_reached(MEMORY const DrawArguments a, const u32 i) {
 BODY void serve_reach(MEMORY const DrawArguments a, const u32 item) {
     const bool is_listed = a.is_listed != 0u;
     const u32 begin = a.first + item * a.chunk;
-    const u32 end = min(begin + a.chunk, is_listed ? AT(survivor_count, 0) : a.count);
+    const u32 end = min(begin + a.chunk, is_listed ? AT(report, SURVIVORS_WORD) : a.count);
     for (u32 k = begin; k < end; ++k) {
         const u32 i = is_listed ? AT(survivors, k) : k;
         const u32 status = AT(statuses, i);

@@ -18,7 +18,7 @@ BODY u32x4 borders_in(MEMORY const Grids grids, const u32x4 part) {
 // borders[box] becomes the x between its halves, and the y that cuts each half; strip_radii[box]
 // becomes the least radius of each strip, perhaps with IS_EVEN.
 BODY void serve_split(MEMORY const StripArguments a, const u32 item) {
-    if (AT(undecided, a.last_pass) != 0u) return;
+    if (AT(report, a.last_pass) != 0u) return;
     const Grids grids = {grid_of(ON COLUMNS_OF_FIELD), grid_of(ON COLUMNS_OF_MASK)};
     const u32 end = min((item + 1u) * a.chunk, a.boxes);
     for (u32 number = item * a.chunk; number < end; ++number) {

@@ -1,11 +1,12 @@
-// The body of subtract: cuts the chords of the round's samples from the free spans of every line.
+// The body of subtract: cuts the chords of the round's samples from the free spans of every tile of
+// every line.
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
 
-// A line's spans with a gap between them: [slot, done) lie below the gap, [rest, end) above it.
-// Chords come in the order of y, so the gap moves only a little for each, and the chord is cut
-// there. The gap has length 0 until a chord first adds a piece. `below` is a copy of the last span
+// A tile's spans with a gap between them: [slot, done) lie below the gap, [rest, end) above it.
+// Chords come in the order of rows of cells, so the gap moves only a little for each, and the chord
+// is cut there. The gap has length 0 until a chord first adds a piece. `below` is a copy of the last span
 // below the gap, or empty at 0; `above` is the first span above it, or beyond every y.
 struct Gap {
     u32 slot;
@@ -93,52 +94,45 @@ BODY u32 reach_on(const Geometry g, const u32 centre, const u32 x) {
     return chord_reach(axis_distance(x, centre, g.period_x) + g.chord_margin, g.radius_squared);
 }
 
-// Serves one line. If its memory does not suffice, it raises `overflow` and keeps the spans without
-// some cuts: the host repeats the cut with more memory. Does nothing while admission is unfinished.
+// Cuts the chords of a sample on a line with this centre from the tile [begin, end).
+BODY Gap cut_by_sample(MEMORY const Geometry g, const Gap all, const u32 centre, const u32x2 near_by,
+                       const u32 windows, const u32 begin, const u32 end) {
+    Gap gap = all;
+    const u32 reach = reach_on(g, centre, near_by.x);
+    for (u32 window = 0u; window < windows && reach != 0u; ++window) {
+        const u32 low = max(window_begin(window, near_by.y, reach, g.height), begin);
+        const u32 high = min(window_end(window, near_by.y, reach, g.height), end);
+        if (low < high && gap.fits) gap = cut_out(ON gap, low, high);
+    }
+    return gap;
+}
+
+// Serves one tile; neighbouring items serve neighbouring lines, which the same samples cut. If its
+// memory does not suffice, it sets report[OVERFLOW_WORD] and keeps the spans without some cuts: the
+// host repeats the cut with more memory. Does nothing while admission is unfinished.
 BODY void serve_subtract(MEMORY const SlabArguments a, const u32 item) {
-    const u32 line = a.first_line + item;
-    if (line >= a.end_line || AT(undecided, a.last_pass) != 0u) return;
+    const u32 lines = (a.end_tile - a.first_tile) / a.tiles;
+    if (item >= a.end_tile - a.first_tile || AT(report, a.last_pass) != 0u) return;
     const Geometry g = a.g;
-    const u32 column = column_of_line(line, g.lines, g.columns);
-    const u32 near_begin = AT(near_begins, column);
-    const u32 near_end = near_begin + AT(near_counts, column);
-    const u32 count = AT(span_counts, line);
-    if (near_begin == near_end || count == 0u) return;
+    const u32 line = a.first_tile / a.tiles + item % lines;
+    const u32 tile = line * a.tiles + item / lines;
+    const u32 list = column_of_line(line, g.lines, g.columns) * a.tiles + item / lines;
+    const u32 count = AT(span_counts, tile);
+    const u32 near_end = list * a.near_room + AT(near_counts, list);
+    if (count == 0u || near_end == list * a.near_room) return;
 
     const u32 centre = line * g.strip_width + g.strip_width / 2u;
-    const u32 slot = (line - a.slab_begin) * g.capacity;
-    const u32 room = min(g.capacity, count + (near_end - near_begin) + 2u);
-    Gap gap = {slot,         slot,          slot,
-               slot + count, slot + room,   AT(free_lengths, line),
-               true,         U32X2(0u, 0u), AT(spans, slot)};
-
+    const u32 begin = item / lines * a.tile_height;
+    const u32 end = begin + min(a.tile_height, g.height - begin);
     // On a torus, a disk that extends beyond one end is cut at the other end.
-    u32 bottom = 0u;
-    u32 top = g.height;
-    if (g.period_y != 0u) {
-        for (u32 i = near_end; i > near_begin; --i) {
-            const u32x2 s = AT(near, i - 1u);
-            if (g.height - s.y > g.radius) break;
-            bottom = max(bottom, window_end(2u, s.y, reach_on(g, centre, s.x), g.height));
-        }
-        for (u32 i = near_begin; i < near_end; ++i) {
-            const u32x2 s = AT(near, i);
-            if (s.y >= g.radius) break;
-            top = min(top, window_begin(1u, s.y, reach_on(g, centre, s.x), g.height));
-        }
-    }
-
-    // Cut the chords from the bottom up.
-    if (bottom > 0u) gap = cut_out(ON gap, 0u, bottom);
-    for (u32 i = near_begin; i < near_end && gap.fits; ++i) {
-        const u32x2 s = AT(near, i);
-        const u32 reach = reach_on(g, centre, s.x);
-        if (reach == 0u) continue;
-        gap = cut_out(ON gap, window_begin(0u, s.y, reach, g.height),
-                      window_end(0u, s.y, reach, g.height));
-    }
-    if (top < g.height && gap.fits) gap = cut_out(ON gap, top, g.height);
-    if (!gap.fits) ATOMIC_SET(overflow, 0, 1u);
+    const bool is_at_edge = begin < g.radius || g.height - end < g.radius;
+    const u32 windows = g.period_y != 0u && is_at_edge ? 3u : 1u;
+    const u32 slot = (tile - a.slab_begin) * g.capacity;
+    Gap gap = {slot, slot, slot, slot + count, slot + g.capacity, AT(tile_lengths, tile),
+               true, U32X2(0u, 0u), AT(spans, slot)};
+    for (u32 i = list * a.near_room; i < near_end && gap.fits; ++i)
+        gap = cut_by_sample(ON g, gap, centre, AT(near, i), windows, begin, end);
+    if (!gap.fits) ATOMIC_SET(report, OVERFLOW_WORD, 1u);
 
     // Close the gap.
     if (gap.done == gap.rest) gap.done = gap.rest = gap.end;
@@ -147,7 +141,7 @@ BODY void serve_subtract(MEMORY const SlabArguments a, const u32 item) {
         ++gap.done;
         ++gap.rest;
     }
-    AT(span_counts, line) = gap.done - slot;
-    AT(free_lengths, line) = gap.total;
+    AT(span_counts, tile) = gap.done - slot;
+    AT(tile_lengths, tile) = gap.total;
     CHECK_TURNS(g.height, FAILED_SUBTRACT);
 }

@@ -143,12 +143,13 @@ void OnFaultyBackend::SetUp() {
 }
 
 std::unique_ptr<Backend> make_faulty(const std::string& backend, [[maybe_unused]] const Plan& plan,
-                                     [[maybe_unused]] const Fault& fault) {
+                                     [[maybe_unused]] const Fault& fault,
+                                     [[maybe_unused]] const device::Tuning& tuning) {
 #ifdef LACUNA_OPENCL
-    if (backend == "opencl") return opencl::make_backend(plan, {}, {}, faulty_kernels(fault));
+    if (backend == "opencl") return opencl::make_backend(plan, {}, tuning, faulty_kernels(fault));
 #endif
 #ifdef LACUNA_VULKAN
-    if (backend == "vulkan") return vulkan::make_backend(plan, {}, {}, faulty_shaders(fault));
+    if (backend == "vulkan") return vulkan::make_backend(plan, {}, tuning, faulty_shaders(fault));
 #endif
     throw Unavailable("backend " + backend + ": this build was made without it");
 }
@@ -160,18 +161,6 @@ std::unique_ptr<device::Queue> open_faulty_queue(const std::string& backend,
 #endif
 #ifdef LACUNA_VULKAN
     if (backend == "vulkan") return vulkan::open_queue({}, faulty_shaders(fault));
-#endif
-    throw Unavailable("backend " + backend + ": this build was made without it");
-}
-
-std::unique_ptr<Backend> make_counted(const std::string& backend, [[maybe_unused]] const Plan& plan,
-                                      [[maybe_unused]] const device::Tuning& tuning,
-                                      [[maybe_unused]] std::uint64_t* launches) {
-#ifdef LACUNA_OPENCL
-    if (backend == "opencl") return opencl::make_backend(plan, {}, tuning, {{}, launches});
-#endif
-#ifdef LACUNA_VULKAN
-    if (backend == "vulkan") return vulkan::make_backend(plan, {}, tuning, {{}, nullptr, launches});
 #endif
     throw Unavailable("backend " + backend + ": this build was made without it");
 }

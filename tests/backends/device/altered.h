@@ -32,14 +32,10 @@ protected:
 // The device backend with the fault. Throws std::runtime_error if the text is not in the file, if
 // the kernel does not include the file, or if it does not compile.
 std::unique_ptr<Backend> make_faulty(const std::string& backend, const Plan& plan,
-                                     const Fault& fault);
+                                     const Fault& fault, const device::Tuning& tuning = {});
 
 // The same for the kernels of relax.
 std::unique_ptr<device::Queue> open_faulty_queue(const std::string& backend, const Fault& fault);
-
-// The backend without a fault; counts the kernels that it launches.
-std::unique_ptr<Backend> make_counted(const std::string& backend, const Plan& plan,
-                                      const device::Tuning& tuning, std::uint64_t* launches);
 
 // The outcome is empty if a set takes more than `most` rounds: wrong kernels may never end.
 inline constexpr std::uint64_t kMostRounds = 30;

@@ -84,7 +84,7 @@ TEST_P(GaussianFaults, ThatEndLoopsEarlyAreAnErrorAndNeverASet) {
     const auto faulty = device::make_gaussian_backend(
         lacuna::tests::open_faulty_queue(
             GetParam(), {"bodies/relax/descend.h", "CHECK_TURNS(a.domain.samples, FAILED_DESCEND);",
-                         "ATOMIC_OR(failure, 0, FAILED_DESCEND);"}),
+                         "ATOMIC_OR(report, FAILURE_WORD, FAILED_DESCEND);"}),
         field, spots_of(points, field, options, nobody_asks));
     try {
         faulty->descend(gaussian_pace(0));

@@ -38,13 +38,31 @@ TEST(Slabs, TakeTheDrawsOfTheirLines) {
     EXPECT_EQ(draws_of({5, 9}, draws).end, 3u);
 }
 
-TEST(NearBegins, LeaveRoomForAllDrawsNearAColumn) {
-    std::vector<std::uint32_t> begins;
-    const std::vector<std::uint32_t> column_begins = {0, 1, 11, 111, 1111};  // 1, 10, 100, 1000
-    find_near_begins(tests::plan_of(0.2, 2, Boundary::torus), 4, column_begins, begins);
-    EXPECT_EQ(begins, (std::vector<std::uint32_t>{0, 1011, 1122, 2232, 3333}));
-    find_near_begins(tests::plan_of(0.2, 2, Boundary::box), 4, column_begins, begins);
-    EXPECT_EQ(begins, (std::vector<std::uint32_t>{0, 11, 122, 1232, 2332}));
+TEST(Tiles, CoverALineAndAreAtMostSoMany) {
+    for (const double radius : {0.9, 0.3, 0.01, 0.001, 0.0001}) {
+        for (const Mode mode : {Mode::lines, Mode::exact}) {
+            const Plan plan = tests::plan_of(radius, 2, Boundary::torus, 1, 1, mode);
+            const Tiles tiles = tiles_of(plan, 32);
+            EXPECT_LE(tiles.count, kMostTiles);
+            EXPECT_GE(std::uint64_t{tiles.count} * tiles.height, plan.height);
+            EXPECT_LT((tiles.count - std::uint64_t{1}) * tiles.height, plan.height);
+        }
+    }
+}
+
+TEST(Tiles, DivideSpansAndJoinThemAgain) {
+    const Tiles tiles{3, 100};
+    Snapshot lines;
+    lines.capacity = 4;
+    lines.spans = {{{5, 7}, {90, 210}, {250, 260}}, {}, {{0, 100}, {101, 300}}};
+    const Packed packed = pack({0, 3}, tiles, lines);
+    EXPECT_EQ(packed.counts, (std::vector<std::uint32_t>{2, 1, 2, 0, 0, 0, 1, 1, 1}));
+    EXPECT_EQ(packed.lengths, (std::vector<std::uint32_t>{12, 100, 20, 0, 0, 0, 100, 99, 100}));
+    Snapshot joined;
+    joined.capacity = lines.capacity;
+    unpack({0, 3}, tiles, packed.slots, packed.counts, joined);
+    lines.spans[2] = {{0, 100}, {101, 300}};
+    EXPECT_TRUE(joined.spans == lines.spans);
 }
 
 TEST(SlicesOfSample, AreSoManyThatNoneTakesMoreTurns) {
@@ -77,11 +95,11 @@ TEST(Requests, ThatDoNotFitAreRefusedWithWhatTheyNeed) {
     const Plan plan = tests::plan_of(0.001, 30, Boundary::torus);
     const std::uint64_t much = std::uint64_t{1} << 40;
     EXPECT_NO_THROW(refuse_if_too_large("Toy", plan, much, much));
-    // 30,000 lines with room for 338 spans of 8 bytes, and the draws.
+    // 30,000 lines of 23 tiles, each with room for 31 spans of 8 bytes, the draws, and the cells.
     EXPECT_EQ(refusal(plan, 100'000'000, much),
-              "device Toy: the request needs 0.103 GB of memory, and it has 0.1 GB");
+              "device Toy: the request needs 0.235 GB of memory, and it has 0.1 GB");
     EXPECT_EQ(refusal(plan, much, 1'000'000),
-              "device Toy: the request needs a buffer of 0.006 GB, and its largest has 0.001 GB");
+              "device Toy: the request needs a buffer of 0.00828 GB, and its largest has 0.001 GB");
 }
 
 TEST(Requests, OfModeCellsThatDoNotFitAreRefusedToo) {

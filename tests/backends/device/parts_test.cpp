@@ -17,21 +17,24 @@ using namespace lacuna;
 using device::kMostOfColumn;
 using device::PartLimits;
 
+// As in mode cells, where columns are sorted.
+const PartLimits kColumns{.of_column = kMostOfColumn};
+
 TEST(Parts, OfFewDrawsAreOne) {
     const std::vector<std::uint32_t> begins = {0, kMostOfColumn, kMostOfColumn + 3};
-    EXPECT_TRUE(device::is_one_part(begins, {}));
+    EXPECT_TRUE(device::is_one_part(begins, kColumns));
     const std::vector<std::uint32_t> one_more = {0, kMostOfColumn + 1, kMostOfColumn + 3};
-    EXPECT_FALSE(device::is_one_part(one_more, {}));
+    EXPECT_FALSE(device::is_one_part(one_more, kColumns));
     EXPECT_FALSE(device::is_one_part(begins, {kMostOfColumn + 2, 1u << 30}));
     EXPECT_FALSE(device::is_one_part(begins, {1u << 30, kMostOfColumn + 2}));
 }
 
 TEST(Parts, EndWhereAColumnHasNoMoreRoom) {
     std::vector<std::uint32_t> columns(2 * kMostOfColumn + 1, 1);
-    EXPECT_EQ(device::find_part_ends(columns, 3, {}),
+    EXPECT_EQ(device::find_part_ends(columns, 3, kColumns),
               (std::vector{kMostOfColumn, 2 * kMostOfColumn, 2 * kMostOfColumn + 1}));
     columns.front() = columns.back() = 2;
-    EXPECT_EQ(device::find_part_ends(columns, 3, {}),
+    EXPECT_EQ(device::find_part_ends(columns, 3, kColumns),
               (std::vector{kMostOfColumn + 1, 2 * kMostOfColumn + 1}));
 }
 
@@ -51,7 +54,8 @@ TEST(Parts, ArrangeAllDrawsPartByPartAndColumnByColumn) {
         draws[i].bin = i < 700 ? 0 : 2;
         draws[i].rank = i;
     }
-    const device::Arrangement made = device::arrange(std::span<const Draw>(draws), begins, {});
+    const device::Arrangement made =
+        device::arrange(std::span<const Draw>(draws), begins, kColumns);
     ASSERT_GE(made.ends.size(), 3u);
     EXPECT_EQ(made.ends.back(), draws.size());
     std::vector<bool> seen(draws.size(), false);

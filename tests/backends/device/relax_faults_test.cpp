@@ -148,7 +148,7 @@ TEST_P(RelaxFaults, ThatEndLoopsEarlyAreAnErrorAndNeverASet) {
          {"bodies/relax/find_hints.h", "bodies/relax/find_rivals.h", "bodies/relax/assign.h",
           "bodies/relax/assign_crowded.h", "bodies/relax/limit.h"}) {
         const Fault fault{file, "CHECK_TURNS(a.lattice.columns, FAILED_ASSIGN);",
-                          "ATOMIC_OR(failure, 0, FAILED_ASSIGN);"};
+                          "ATOMIC_OR(report, FAILURE_WORD, FAILED_ASSIGN);"};
         const Lattice lattice = crowd_.lattice();
         const auto faulty = device::make_backend(
             lacuna::tests::open_faulty_queue(GetParam(), fault), lattice, crowd_.sites(lattice));

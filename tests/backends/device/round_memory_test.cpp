@@ -22,13 +22,13 @@ public:
     const DeviceEntry& device() const override { return entry_; }
     Buffer make(std::uint64_t bytes) override { return {nullptr, bytes}; }
     void fill(const Buffer&, std::uint32_t, std::uint64_t) override {}
-    void upload(const Buffer&, std::span<const std::byte>, std::uint64_t) override {}
-    void download(const Buffer&, std::span<std::byte>) override {}
     std::uint32_t run_of(std::uint32_t) const override { return 1; }
     bool runs_in_lockstep() const override { return true; }
     void drain() noexcept override {}
 
 protected:
+    void enqueue_upload(const Buffer&, std::span<const std::byte>, std::uint64_t) override {}
+    void enqueue_download(const Buffer&, std::span<std::byte>) override {}
     std::uint32_t group_size() const override { return 1; }
     std::uint64_t most_groups() const override { return 1; }
     void enqueue(const KernelShape&, std::span<const std::byte>, std::span<const Buffer>,

@@ -28,7 +28,7 @@ std::string altered(const std::string& from, const std::string& to) {
 std::string error_of(const Plan& plan, const std::string& source) {
     Observer nobody;
     try {
-        generate(plan, *make_backend(plan, {}, {}, {{source}, nullptr}), nobody);
+        generate(plan, *make_backend(plan, {}, {}, {{source}}), nobody);
     } catch (const DeviceError& error) {
         return error.what();
     }

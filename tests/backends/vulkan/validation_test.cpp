@@ -36,7 +36,7 @@ protected:
         tests::skip_or_fail_without("vulkan");
         if (IsSkipped() || HasFatalFailure()) return;
         try {
-            vulkan::open_queue({}, {{}, &validation_, nullptr});
+            vulkan::open_queue({}, {{}, &validation_});
         } catch (const Unavailable& reason) {
             if (tests::is_required("vulkan")) FAIL() << reason.what();
             GTEST_SKIP() << reason.what();
@@ -203,7 +203,7 @@ TEST_P(ValidatedCalls, MakesSetsWithARadiusFieldWithoutAMessage) {
 }
 
 TEST_P(ValidatedCalls, TellOfACopyBeyondTheEnd) {
-    const auto queue = vulkan::open_queue({}, {{}, &validation_, nullptr});
+    const auto queue = vulkan::open_queue({}, {{}, &validation_});
     const Buffer small = queue->make(64);
     const std::vector<std::byte> bytes(128);
     queue->upload(small, bytes, 0);
@@ -236,7 +236,7 @@ INSTANTIATE_TEST_SUITE_P(Vulkan, ValidatedShaders, testing::Values(Checks::gpu_a
                          name_of_checks);
 
 TEST_P(ValidatedShaders, TellOfAReadBeyondTheEnd) {
-    const auto queue = vulkan::open_queue({}, {{}, &validation_, nullptr});
+    const auto queue = vulkan::open_queue({}, {{}, &validation_});
     device::Memory memory;
     memory.span_counts = queue->make(64);
     memory.spans = queue->make(64);
@@ -244,7 +244,7 @@ TEST_P(ValidatedShaders, TellOfAReadBeyondTheEnd) {
     queue->fill(memory.span_counts, 1, 16);
     portable::SlabArguments arguments{};
     arguments.g.capacity = 16;
-    arguments.end_line = 16;
+    arguments.end_tile = 16;
     arguments.larger = 16;
     device::launch<device::kernels::grow>(*queue, memory, arguments, 16);
     queue->wait();

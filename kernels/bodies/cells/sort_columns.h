@@ -1,4 +1,4 @@
-// The body of sort_columns: sorts candidates by y in each column, for admit and subtract.
+// The body of sort_columns: sorts candidates by y in each column, for admit_in_cells.
 #include "portable/column.h"
 
 // If a bucket has more candidates than this, sorting begins with long steps.

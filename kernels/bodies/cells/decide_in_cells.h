@@ -1,5 +1,5 @@
 // Searches the columns nearby for an earlier sample of the round that conflicts with a candidate.
-// It is included after limit.h or limit_in_cells.h, which have the conflict rule.
+// It is included after limit_in_cells.h, which has the conflict rule.
 #include "portable/chord.h"
 #include "portable/distance.h"
 
