@@ -69,6 +69,9 @@ public:
           border_(strip, ranks, depth),
           own_(strip),
           all_free_(first_free_lengths(strip.plan)) {
+        // While ranks wait for each other, no rank may keep a device that they share: each verb is
+        // complete when it returns.
+        backend_.time_verbs();
         backend_.watch([this] {
             look_out();
             return true;

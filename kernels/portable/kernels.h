@@ -95,9 +95,9 @@ struct SlabArguments {
     u32 first_draw OR_ZERO;  // in locate: the draws on these lines are [first_draw, end_draw)
     u32 end_draw OR_ZERO;
     u32 last_pass OR_ZERO;   // in collect and subtract
-    u32 block_bits OR_ZERO;  // in unfold: counts are summed in blocks of 2^block_bits tiles; 0: boxes
-                             // are only counted
-    u32 tiles OR_ZERO;        // of a line
+    u32 block_bits OR_ZERO;  // in unfold: counts are summed in blocks of 2^block_bits tiles; 0:
+                             // boxes are only counted
+    u32 tiles OR_ZERO;  // of a line
     u32 tile_height OR_ZERO;
 };
 LACUNA_TYPEDEF(SlabArguments)

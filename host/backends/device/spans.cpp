@@ -43,6 +43,7 @@ public:
         for (std::size_t i = 0; i < slabs_.size(); ++i) launch_over_tiles<kernels::open_lines>(i);
         sum_tiles();
         free_lengths_.assign(round_.plan.lines, round_.plan.height);
+        round_.queue.wait();  // so that another backend may use the device before the first round
     }
 
     std::span<const std::uint32_t> begins() const override {

@@ -2,8 +2,8 @@
 // while a draw is undecided.
 #include "portable/bits.h"
 
-// outcomes[] has a bit for each sample, then a bit for each covered draw. counts[] has the numbers of
-// boxes first, so that one scan adds up both.
+// outcomes[] has a bit for each sample, then a bit for each covered draw. counts[] has the numbers
+// of boxes first, so that one scan adds up both.
 BODY void serve_count_samples(MEMORY const SampleArguments a, const u32 item) {
     if (AT(report, a.last_pass) != 0u) return;
     const u32 words = words_of_column(a.draws);

@@ -33,8 +33,9 @@ BODY bool is_covered(MEMORY const DrawArguments a, const u32 i) {
     const Geometry g = a.g;
     const u32 x = place_of(a, AT(candidates, i));
     const u32 y = AT(candidates, i).y;
-    if (g.rule != RULE_OF_LINES && min(g.grid_columns, g.grid_rows) >= 4u && g.radius < min(g.width, g.height) &&
-        min(x, y) >= g.radius && x < g.width - g.radius && y < g.height - g.radius)
+    if (g.rule != RULE_OF_LINES && min(g.grid_columns, g.grid_rows) >= 4u &&
+        g.radius < min(g.width, g.height) && min(x, y) >= g.radius && x < g.width - g.radius &&
+        y < g.height - g.radius)
         return is_covered_inside(ON g, x, y);
     const Stretch columns =
         cells_near(x, x + 1u, g.radius, g.width, g.period_x, g.grid_side, g.grid_columns);

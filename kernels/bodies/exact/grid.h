@@ -59,7 +59,8 @@ BODY Near near_of(MEMORY const StripArguments a, const u32 number, const Box box
         cells_near(at.x, at.x + at.y, g.radius, g.width, g.period_x, g.grid_side, g.grid_columns);
     near.rows = cells_near(at.z, at.w, g.radius, g.height, g.period_y, g.grid_side, g.grid_rows);
     near.cells = 0u;
-    if (max(near.columns.count, near.rows.count) > NEAR_SIDE) ATOMIC_OR(report, FAILURE_WORD, FAILED_CHORDS);
+    if (max(near.columns.count, near.rows.count) > NEAR_SIDE)
+        ATOMIC_OR(report, FAILURE_WORD, FAILED_CHORDS);
     // No branch: where samples lie cannot be predicted.
     for (u32 i = 0u; i < near.columns.count; ++i) {
         for (u32 j = 0u; j < near.rows.count; ++j) {

@@ -1,5 +1,5 @@
-// The body of collect: lists the samples of the round that may cut the lines of a column in one tile,
-// row by row of the sample grid, from the bottom up. All lines of the column use the list.
+// The body of collect: lists the samples of the round that may cut the lines of a column in one
+// tile, row by row of the sample grid, from the bottom up. All lines of the column use the list.
 #include "portable/bits.h"
 #include "portable/column.h"
 
@@ -41,9 +41,8 @@ BODY void serve_collect(MEMORY const SlabArguments a, const u32 item) {
     const u32 end_line = first_line_of_column(item / a.tiles + 1u, g.lines, g.columns);
     const u32 begin = item % a.tiles * a.tile_height;
     const u32 end = begin + min(a.tile_height, g.height - begin);
-    const Stretch columns =
-        cells_near(first * g.strip_width, end_line * g.strip_width, g.radius, g.width, g.period_x,
-                   g.grid_side, g.grid_columns);
+    const Stretch columns = cells_near(first * g.strip_width, end_line * g.strip_width, g.radius,
+                                       g.width, g.period_x, g.grid_side, g.grid_columns);
     const Stretch rows =
         cells_near(begin, end, g.radius, g.height, g.period_y, g.grid_side, g.grid_rows);
     u32 count = 0u;

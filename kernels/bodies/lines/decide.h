@@ -46,8 +46,7 @@ BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate
         const u32 column = nth_of_stretch(columns, k, g.grid_columns) * g.grid_rows;
         for (u32 j = 0u; j < rows.count; ++j) {
             const u32 head = AT(cell_heads, column + nth_of_stretch(rows, j, g.grid_rows));
-            if (head != NO_SAMPLE)
-                decided = decide_by_cell(ON g, decided, head, x, y, candidate.w);
+            if (head != NO_SAMPLE) decided = decide_by_cell(ON g, decided, head, x, y, candidate.w);
         }
     }
     if (decided.is_rejected) return STATUS_REJECTED + 4u * decided.looks;

@@ -40,8 +40,8 @@ BODY void serve_locate(MEMORY const SlabArguments a, const u32 item) {
             span = AT(spans, slot);
         }
         // A candidate is x, y, line, order.
-        AT(candidates, i) = U32X4(draw.x * a.g.strip_width + draw.z, span.x + (draw.y - passed),
-                                  draw.x, draw.w);
+        AT(candidates, i) =
+            U32X4(draw.x * a.g.strip_width + draw.z, span.x + (draw.y - passed), draw.x, draw.w);
         AT(statuses, i) = STATUS_UNDECIDED;
     }
     CHECK_TURNS(a.g.height, FAILED_LOCATE);

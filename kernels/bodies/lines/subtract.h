@@ -6,8 +6,8 @@
 
 // A tile's spans with a gap between them: [slot, done) lie below the gap, [rest, end) above it.
 // Chords come in the order of rows of cells, so the gap moves only a little for each, and the chord
-// is cut there. The gap has length 0 until a chord first adds a piece. `below` is a copy of the last span
-// below the gap, or empty at 0; `above` is the first span above it, or beyond every y.
+// is cut there. The gap has length 0 until a chord first adds a piece. `below` is a copy of the
+// last span below the gap, or empty at 0; `above` is the first span above it, or beyond every y.
 struct Gap {
     u32 slot;
     u32 done;
@@ -95,8 +95,8 @@ BODY u32 reach_on(const Geometry g, const u32 centre, const u32 x) {
 }
 
 // Cuts the chords of a sample on a line with this centre from the tile [begin, end).
-BODY Gap cut_by_sample(MEMORY const Geometry g, const Gap all, const u32 centre, const u32x2 near_by,
-                       const u32 windows, const u32 begin, const u32 end) {
+BODY Gap cut_by_sample(MEMORY const Geometry g, const Gap all, const u32 centre,
+                       const u32x2 near_by, const u32 windows, const u32 begin, const u32 end) {
     Gap gap = all;
     const u32 reach = reach_on(g, centre, near_by.x);
     for (u32 window = 0u; window < windows && reach != 0u; ++window) {
@@ -128,8 +128,15 @@ BODY void serve_subtract(MEMORY const SlabArguments a, const u32 item) {
     const bool is_at_edge = begin < g.radius || g.height - end < g.radius;
     const u32 windows = g.period_y != 0u && is_at_edge ? 3u : 1u;
     const u32 slot = (tile - a.slab_begin) * g.capacity;
-    Gap gap = {slot, slot, slot, slot + count, slot + g.capacity, AT(tile_lengths, tile),
-               true, U32X2(0u, 0u), AT(spans, slot)};
+    Gap gap = {slot,
+               slot,
+               slot,
+               slot + count,
+               slot + g.capacity,
+               AT(tile_lengths, tile),
+               true,
+               U32X2(0u, 0u),
+               AT(spans, slot)};
     for (u32 i = list * a.near_room; i < near_end && gap.fits; ++i)
         gap = cut_by_sample(ON g, gap, centre, AT(near, i), windows, begin, end);
     if (!gap.fits) ATOMIC_SET(report, OVERFLOW_WORD, 1u);
