@@ -64,7 +64,7 @@ struct DrawArguments {
     u32 most_reach OR_ZERO;  // samples that reach farther wait for the next launch
     u32 is_listed OR_ZERO;   // 1: serve the candidates in `todo` or `survivors`; screen lists
                              // candidates, and insert marks new_cells
-    u32 room OR_ZERO;        // in reach: most visitors of blocks
+    u32 room OR_ZERO;  // in reach: most visitors of blocks; in enlist: entries before the round
     u32 first_node OR_ZERO;  // in reach: of the NODES_AT_ONCE to visit, or ALL_NODES
 };
 LACUNA_TYPEDEF(DrawArguments)
@@ -97,7 +97,7 @@ struct SlabArguments {
     u32 last_pass OR_ZERO;   // in collect and subtract
     u32 block_bits OR_ZERO;  // in unfold: counts are summed in blocks of 2^block_bits tiles; 0:
                              // boxes are only counted
-    u32 tiles OR_ZERO;  // of a line
+    u32 tiles OR_ZERO;       // of a line
     u32 tile_height OR_ZERO;
 };
 LACUNA_TYPEDEF(SlabArguments)

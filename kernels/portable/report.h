@@ -13,8 +13,7 @@
 #define LEFT_WORD 9u        // samples that the next launch of subtract_in_cells serves
 #define SURVIVORS_WORD 10u  // entries of survivors[]
 #define VISITORS_WORD 11u   // entries of visitors[]
-#define WORDS_OF_ROUND 12u
-#define ENTRIES_WORD 12u  // entries of the neighbour lists, in all rounds
+#define ENTRIES_WORD 12u    // entries of the neighbour lists that the round has added
 #define REPORT_WORDS 13u
 
 #endif

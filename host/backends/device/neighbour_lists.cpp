@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "backends/device/layout.h"
@@ -83,6 +84,7 @@ void NeighbourLists::put(std::span<const Sized> samples) {
     round_.queue.fill(m.lists, NO_SAMPLE, blocks());
     round_.queue.fill(m.report, 0, REPORT_WORDS);
     round_.report = {};
+    entries_before_ = 0;
     const std::vector<std::uint32_t> open_parts = first_.part_counts();
     round_.put<std::uint32_t>(m.open_parts, open_parts);
     first_recent_ = 0;
@@ -107,6 +109,7 @@ void NeighbourLists::put(std::span<const Sized> samples) {
         round_.queue.wait();
         round_.throw_if_failed();
     }
+    entries_before_ = std::exchange(round_.report[ENTRIES_WORD], 0u);
 }
 
 std::vector<Sample> NeighbourLists::get() const {
@@ -162,11 +165,17 @@ void NeighbourLists::make_room_for_entries(std::uint64_t count) {
     round_.queue.wait();
 }
 
+void NeighbourLists::end_round() {
+    first_recent_ = entries_before_ = entries();
+    round_.report[ENTRIES_WORD] = 0;
+}
+
 void NeighbourLists::enlist() {
     list_visitors();
     portable::DrawArguments arguments = round_.arguments();
     arguments.count = blocks();
     arguments.chunk = round_.queue.chunk_of(arguments.count);
+    arguments.room = entries_before_;
     launch<kernels::enlist>(round_.queue, round_.memory, arguments,
                             items_of(arguments.count, arguments.chunk),
                             kEnlistWork * arguments.chunk);

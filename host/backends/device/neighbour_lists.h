@@ -34,19 +34,20 @@ public:
 
     // The first entry of a sample that has not cut the boxes yet.
     std::uint32_t first_recent() const { return first_recent_; }
-    void end_round() { first_recent_ = entries(); }
+    void end_round();
 
 private:
     enum class Listed { none, survivors, visitors };  // of the open part
 
     std::uint32_t blocks() const { return first_.block_count(); }
-    std::uint32_t entries() const { return round_.report[ENTRIES_WORD]; }
+    std::uint32_t entries() const { return entries_before_ + round_.report[ENTRIES_WORD]; }
     bool may_visit_many() const;
     void make_tree();
     void make_room_for_entries(std::uint64_t count);
 
     RoundMemory& round_;
     const FirstBoxes& first_;
+    std::uint32_t entries_before_ = 0;  // before the round
     std::uint32_t first_recent_ = 0;
     Listed listed_ = Listed::none;
     bool visits_all_at_once_;  // the nodes that a candidate reaches

@@ -63,8 +63,8 @@ void RoundMemory::begin(std::uint32_t count) {
     if (sorts()) make_room(memory.buckets, words);
     if (sorts()) make_room(memory.located, 4 * words);
     queue.fill(memory.outcomes, 0, 2 * std::uint64_t{portable::words_of_column(count)});
-    queue.fill(memory.report, 0, WORDS_OF_ROUND);
-    std::fill_n(report.begin(), WORDS_OF_ROUND, 0u);
+    queue.fill(memory.report, 0, REPORT_WORDS);
+    report = {};
 }
 
 void RoundMemory::upload(std::span<const Draw> draws, std::span<const std::uint32_t> sorted_columns,

@@ -32,7 +32,7 @@ BODY void serve_enlist(MEMORY const DrawArguments a, const u32 item) {
         if (count == 0u) continue;
         const u32x2 node_and_least = AT(node_of, block);
         bool is_covered = false;
-        u32 number = ATOMIC_ADD(report, ENTRIES_WORD, count);
+        u32 number = a.room + ATOMIC_ADD(report, ENTRIES_WORD, count);
         u32 next = AT(lists, block);
         for (u32 i = head; i != NO_SAMPLE; i = AT(visitors, i).y) {
             const u32 candidate = AT(visitors, i).x;
