@@ -2,6 +2,7 @@
 """Fails when a comment or a page cites what does not exist, and prints each such citation:
 
 - in code and pages, a page of docs/, a section of it by number, or a quoted name in that section;
+- in code, the path of a file, from the repository's root or from the folder of the code;
 - in pages, a relative link, or a path in backticks. NAME, GROUP and X in a path stand for anything.
 
 It also fails for an option of CMake that docs/cpp.md does not name.
@@ -23,6 +24,7 @@ CITATION = re.compile(
 LINK = re.compile(r"\]\((?!https?:|#)(?P<target>[^)#\s]+)")
 BACKTICKS = re.compile(r"`([^`]+)`")
 PATH = re.compile(rf"(?:{'|'.join(FOLDERS)}|\.ci)/[\w./*-]*$")
+FILE = re.compile(rf"(?<![\w/.}}-])(?:{'|'.join(FOLDERS)})/[\w./-]*\w\.(?:cpp|h|cl|comp|js|json|py|md)\b")
 OPTION = re.compile(r'^(?:option\((LACUNA_\w+)|set\((LACUNA_\w+) "" CACHE)', re.MULTILINE)
 SOURCE = re.compile(r"[\w/*-]+\.(?:cpp|h|cl|comp|cmake)$")
 
@@ -57,6 +59,12 @@ def exists(word: str) -> bool:
     return any(any((ROOT / folder).rglob(pattern)) for folder in FOLDERS)
 
 
+def wrong_files(folder: pathlib.Path, text: str):
+    for word in FILE.findall(text):
+        if not any((base / word).exists() for base in (ROOT, folder)):
+            yield word
+
+
 def wrong_paths(page: pathlib.Path, text: str):
     yield from (f[0] for f in LINK.finditer(text) if not (page.parent / f["target"]).exists())
     prose = re.sub(r"^```.*?^```", "", text, flags=re.MULTILINE | re.DOTALL)
@@ -69,9 +77,13 @@ def main() -> int:
     planted = "none.md", "design.md,\n// section 99", 'design.md, section 4, "nowhere"'
     assert all(any(wrong_citations("docs/" + text)) for text in planted)
     assert len(list(wrong_paths(PAGES[1], "[a](../none.md) `host/none.h` `none/NAME.h`"))) == 3
-    code = (path for folder in FOLDERS for path in (ROOT / folder).rglob("*") if path.suffix in CODE)
+    assert list(wrong_files(ROOT / "host", '"host/none.h", tests/none.json, NAME/host/none.h')) == [
+        "host/none.h", "tests/none.json"]
+    code = [path for folder in FOLDERS for path in (ROOT / folder).rglob("*") if path.suffix in CODE]
+    code.remove(pathlib.Path(__file__))  # its planted faults
     faults = [(path, fault) for path in [*PAGES, *code] for fault in wrong_citations(path.read_text())]
     faults += [(page, fault) for page in PAGES for fault in wrong_paths(page, page.read_text())]
+    faults += [(path, fault) for path in code for fault in wrong_files(path.parent, path.read_text())]
     cpp = ROOT / "docs" / "cpp.md"
     named = cpp.read_text()
     for path in [ROOT / "CMakeLists.txt", *(ROOT / "cmake").glob("*.cmake")]:

@@ -1,6 +1,6 @@
 // The command line that makes the same file.
 
-// Papers of ISO 216 and ANSI in mm, the same as in host/cli/options/paper.cpp.
+// Papers of ISO 216 and ANSI in mm, the same as in host/recipes/read.cpp.
 export const PAPERS = {
     A0: [841, 1189], A1: [594, 841], A2: [420, 594], A3: [297, 420], A4: [210, 297],
     A5: [148, 210], A6: [105, 148], letter: [215.9, 279.4], legal: [215.9, 355.6],
@@ -8,7 +8,7 @@ export const PAPERS = {
 };
 
 // The whole number that a text means, or null. The command has the same rule, in
-// host/cli/options/options.cpp, and tests/cli/whole_numbers.json tests both: 20000, 2e4, 20k, 1.5M,
+// host/recipes/read.cpp, and tests/recipes/whole_numbers.json tests both: 20000, 2e4, 20k, 1.5M,
 // or 20,000 with a comma, an underscore, an apostrophe or a blank between groups of three digits.
 export function wholeNumber(text) {
     const isGrouped = /^\d{1,3}([,_' ])\d{3}(\1\d{3})*$/.test(text);

@@ -12,7 +12,7 @@ ROOT = pathlib.Path(__file__).parents[2]
 
 class WholeNumbers(unittest.TestCase):
     def test_are_those_of_the_command(self):
-        table = json.loads((ROOT / "tests/cli/whole_numbers.json").read_text())
+        table = json.loads((ROOT / "tests/recipes/whole_numbers.json").read_text())
         texts = [*table["taken"], *table["refused"]]
         with tempfile.TemporaryDirectory() as folder:
             # node takes a module by its extension.

@@ -57,15 +57,12 @@ struct RoundMemory {
     bool is_unsettled() const { return report[kPasses - 1] != 0; }
     void throw_if_failed() const;
 
-    // Queues listing the round's samples in results[], after words_of_bin words for each bin: for
-    // `bins` bins or, if that is 0, for the new boxes, which are listed only if there are at most
-    // `room`. The number of samples is added to counts[] after the first counts_before ones, which
-    // are scanned too. list_again() follows if the boxes did not fit.
+    // How results[] lists what a round made: words_of_bin words for each bin, then the samples.
     struct Listing {
-        std::uint32_t counts_before = 0;
+        std::uint32_t counts_before = 0;  // numbers of boxes in counts[], before the samples'
         std::uint32_t words_of_bin = 0;
-        std::uint32_t bins = 0;
-        std::uint32_t room = ~std::uint32_t{0};
+        std::uint32_t bins = 0;                  // 0: the bins are the new boxes, by their count
+        std::uint32_t room = ~std::uint32_t{0};  // with more new boxes nothing is listed
     };
     // Makes room in counts[] and results[] for what these commands write.
     void make_room_for_listing(Listing listing);
@@ -154,7 +151,7 @@ struct RoundMemory {
 
 private:
     bool sorts() const { return plan.is_cells(); }
-    // Of a kernel over `amount` units.
+    // The arguments of a kernel that serves `amount` units of work.
     portable::SampleArguments arguments_of(Listing listing, std::uint32_t amount) const;
     void begin(std::uint32_t count);
     // Sorts the candidates as if the round had one part; with a radius field by order.

@@ -40,7 +40,8 @@ public:
             round_.make_room(*of_tile, all_tiles());
         round_.make_room_for_listing(listing());
         make_slabs(first_tile_capacity(round_.plan, tiles_));
-        for (std::size_t i = 0; i < slabs_.size(); ++i) launch_over_tiles<kernels::open_lines>(i);
+        for (std::size_t i = 0; i < slabs_.size(); ++i)
+            launch_over_tiles<kernels::open_lines>(i, arguments_of(i), kTileWork);
         sum_tiles();
         free_lengths_.assign(round_.plan.lines, round_.plan.height);
         round_.queue.wait();  // so that another backend may use the device before the first round
@@ -162,7 +163,7 @@ private:
 
     RoundMemory::Listing listing() const { return {.words_of_bin = 1, .bins = round_.plan.lines}; }
 
-    // Of all lines.
+    // The number of tiles of all lines together.
     std::uint32_t all_tiles() const { return round_.plan.lines * tiles_.count; }
 
     // At the first refinement: counts the boxes of each tile and, once there is room, writes them.
@@ -185,8 +186,7 @@ private:
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
             portable::SlabArguments arguments = arguments_of(i);
             if (!is_counting) arguments.block_bits = block_bits_of_scan(all_tiles());
-            launch<kernels::unfold>(round_.queue, memory_of(i), arguments,
-                                    arguments.end_tile - arguments.first_tile, kTileWork);
+            launch_over_tiles<kernels::unfold>(i, arguments, kTileWork);
         }
     }
 
@@ -254,23 +254,22 @@ private:
             arguments.first_tile = std::max(arguments.first_tile, own.begin * tiles_.count);
             arguments.end_tile = std::min(arguments.end_tile, own.end * tiles_.count);
             if (arguments.first_tile < arguments.end_tile)
-                launch<kernels::subtract>(round_.queue, memory_of(i), arguments,
-                                          arguments.end_tile - arguments.first_tile, kSubtractWork);
+                launch_over_tiles<kernels::subtract>(i, arguments, kSubtractWork);
         }
         sum_tiles();
     }
 
     void sum_tiles() {
-        portable::SlabArguments arguments{.g = round_.geometry, .tiles = tiles_.count};
-        launch<kernels::sum_tiles>(round_.queue, round_.memory, arguments, round_.plan.lines,
+        launch<kernels::sum_tiles>(round_.queue, round_.memory,
+                                   {.g = round_.geometry, .tiles = tiles_.count}, round_.plan.lines,
                                    kTileWork);
     }
 
     template <typename Kernel>
-    void launch_over_tiles(std::size_t slab) {
-        const portable::SlabArguments arguments = arguments_of(slab);
+    void launch_over_tiles(std::size_t slab, const portable::SlabArguments& arguments,
+                           std::uint64_t work) {
         launch<Kernel>(round_.queue, memory_of(slab), arguments,
-                       arguments.end_tile - arguments.first_tile, kTileWork);
+                       arguments.end_tile - arguments.first_tile, work);
     }
 
     Memory memory_of(std::size_t slab) const {

@@ -124,6 +124,9 @@ protected:
         before_pause_ = cl::Event();
     }
 
+    // Uploads read the host's memory until they are done, and it may be freed after the error.
+    void discard() override { drain(); }
+
 private:
     static const cl::Buffer& of(const Buffer& buffer) {
         return *static_cast<const cl::Buffer*>(buffer.handle());

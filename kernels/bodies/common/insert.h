@@ -1,5 +1,6 @@
 // The body of insert: puts the round's samples into the sample grid, and empties the lists of
 // candidates in its cells. Does nothing while admission is unfinished (report[last_pass] != 0).
+#include "bodies/lines/place.h"
 #include "portable/bits.h"
 
 // If a.is_listed is set, a bit of new_cells[] is set for each sample: 32 rows of a column of cells
@@ -12,15 +13,14 @@ BODY void serve_insert(MEMORY const DrawArguments a, const u32 item) {
         const u32 status = AT(statuses, i);
         if (status == STATUS_COVERED) continue;  // it was never listed
         const u32x4 candidate = AT(candidates, i);
-        const u32 column = candidate.x / a.g.grid_side;
-        const u32 row = candidate.y / a.g.grid_side;
-        const u32 cell = column * a.g.grid_rows + row;
+        const u32 cell = cell_of_candidate(a.g, candidate);
         AT(cell_heads, cell) = NO_SAMPLE;
         if (status != STATUS_ADMITTED) continue;
         AT(grid_x, cell) = candidate.x;
         AT(grid_y, cell) = candidate.y;
-        if (a.is_listed != 0u)
-            ATOMIC_OR(new_cells, column * words_of_column(a.g.grid_rows) + row / 32u,
-                      1u << row % 32u);
+        if (a.is_listed == 0u) continue;
+        const u32 column = cell / a.g.grid_rows;
+        const u32 row = cell % a.g.grid_rows;
+        ATOMIC_OR(new_cells, column * words_of_column(a.g.grid_rows) + row / 32u, 1u << row % 32u);
     }
 }

@@ -7,7 +7,7 @@ BODY void serve_list_samples(MEMORY const SampleArguments a, const u32 item) {
     const u32 bins = AT(report, TOTAL_WORD) - AT(report, SAMPLES_WORD);
     // The host sees that the pieces of boxes do not fit, and launches again.
     if (bins > a.room) return;
-    const u32 first = a.bins * a.words_of_bin + (a.bins == 0u ? bins * a.words_of_bin : 0u);
+    const u32 first = (a.bins != 0u ? a.bins : bins) * a.words_of_bin;
     const u32 end = min((item + 1u) * a.chunk, a.draws);
     for (u32 i = item * a.chunk; i < end; ++i) {
         if (AT(statuses, i) != STATUS_ADMITTED) continue;

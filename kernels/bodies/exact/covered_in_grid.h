@@ -54,7 +54,6 @@ BODY bool is_covered(MEMORY const DrawArguments a, const u32 i) {
 // Lists the candidate in its cell, for decide. A restored round may have admitted it before.
 BODY void leave_open(MEMORY const DrawArguments a, const u32 i) {
     if (a.is_listed == 0u || AT(statuses, i) > STATUS_ADMITTED) return;
-    const u32x4 candidate = AT(candidates, i);
-    const u32 cell = candidate.x / a.g.grid_side * a.g.grid_rows + candidate.y / a.g.grid_side;
+    const u32 cell = cell_of_candidate(a.g, AT(candidates, i));
     AT(next_candidates, i) = ATOMIC_SET(cell_heads, cell, i);
 }

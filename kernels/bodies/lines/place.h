@@ -1,3 +1,9 @@
+// Where candidates lie: their cell of the sample grid, and their x.
+
+BODY u32 cell_of_candidate(const Geometry g, const u32x4 candidate) {
+    return candidate.x / g.grid_side * g.grid_rows + candidate.y / g.grid_side;
+}
+
 // The x of a candidate as its conflicts count it. In lines the chord on the candidate's own line
 // counts, so it is the x of the line.
 

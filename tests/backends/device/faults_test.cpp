@@ -19,7 +19,9 @@ using tests::Fault;
 class Faults : public tests::OnFaultyBackend {
 protected:
     // A fault is noticed if it changes the set, takes more rounds or causes an error. No fault may
-    // leave a box unwritten, because the old content of memory would be read as coordinates.
+    // leave a box unwritten or write it in another place, because the old content of memory would
+    // be read as coordinates: scan_test has faults in the sums. Oclgrind names each access out of
+    // range: oclgrind --build-options -cl-opt-disable device_test --gtest_filter='*Faults*/opencl'.
     void expect_noticed(const Plan& plan, const std::vector<Fault>& faults,
                         const device::Tuning& tuning = {}) {
         const Outcome on_cpu = tests::run_on_cpu(plan);
@@ -64,9 +66,8 @@ TEST_P(Faults, InLinesAreNoticed) {
         tests::plan_of(0.03, 6, Boundary::torus, 0.2, 8),
         {{"bodies/lines/locate.h", "span.x + (draw.y - passed)", "span.x"},
          {"bodies/lines/open_lines.h", "% a.tiles * a.tile_height",
-          "% a.tiles * a.tile_height + 9u"},
-         {"bodies/lines/sum_tiles.h", "sum += AT(tile_lengths, tile);",
-          "sum += AT(tile_lengths, tile) / 2u;"},
+          "% a.tiles / 2u * a.tile_height"},
+         {"bodies/lines/sum_tiles.h", "AT(results, line) = sum;", "AT(results, line) = sum / 2u;"},
          {"bodies/lines/decide.h", "other.w >= order) continue;", "other.w <= order) continue;"},
          {"bodies/lines/decide.h", "(decided.waits ?", "(false ?"},
          {"bodies/lines/decide.h", "i = AT(next_candidates, i)", "i = NO_SAMPLE"},
@@ -104,8 +105,6 @@ TEST_P(Faults, InExactAreNoticed) {
           "squared_length(cut_distance(a.g, strip, x_of(a, neighbour, strip)), dy) <", "0u <"},
          {"bodies/exact/strip.h", "g.period_x) + middle;", "g.period_x);"},
          {"bodies/exact/grid.h", "= box.w - box.z;", "= 1u;"},
-         {"bodies/common/scan.h", "sum += value;", "sum += value & ~1u;"},
-         {"bodies/common/sums.h", "AT(sums, number >> block_bits)", "0u", "keep"},
          {"portable/stretch.h", ": end + reach;", ": end;"}});
 }
 
