@@ -198,10 +198,18 @@ inline std::vector<FieldRequest> ellipse_requests() {
     FieldRequest small_rounds = radius_field_request(
         "ellipses in rounds of ten", stretched_at_random(noise_field(5, 4, 3), 12, 4), 60, box);
     small_rounds.request.paper2011.round_size = 10;
+    // Some boxes get as narrow as can be while the mask forbids a part of them.
+    FieldRequest narrow = with_mask(
+        radius_field_request("ellipses on a mask of a long domain",
+                             stretched_at_random(ramp_field(5, 1), 30, 3), 80, box, 45, 1),
+        noise_mask(515, 12, 2));
+    narrow.request.paper2011.lines_per_radius = 1;
+    narrow.request.paper2011.round_size = 1;
     return {
         threads,
         coarse,
         small_rounds,
+        narrow,
         radius_field_request("one ellipse", swirled(constant_field(1, 1), 5), 300, torus),
         radius_field_request("circles that count as ellipses", swirled(constant_field(3, 3), 1),
                              200, torus),

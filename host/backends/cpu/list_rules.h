@@ -225,10 +225,11 @@ public:
         return count;
     }
     void set(std::size_t i, const Box& box) {
+        is_whole_[i] = false;
         if (even_radius_ != 0) return;
         Under under = under_.least == kAnyRadius ? field_.under(box) : under_;
-        // Where no sample may lie, the smallest circle takes nothing from a box.
-        under.least = std::max(under.least, 1U);
+        is_whole_[i] = under.least == 0;
+        under.least = std::max(under.least, 1U);  // circles have no radius of 0
         of_boxes_[i] = field_.ellipse_under(box, under);
         boxes_in_floats_[i] = in_floats(of_boxes_[i]);
     }
@@ -236,9 +237,12 @@ public:
         if (wraps_) return 0;
         const unsigned covered = vectors_.find_touching_ellipses(
             near_, in_floats_.data(), boxes, boxes_in_floats_.data(), bits_.data());
-        return add_touching(touching, count, covered);
+        unsigned whole = 0;
+        for (std::size_t i = 0; i < count; ++i) whole |= unsigned{is_whole_[i]} << i;
+        return add_touching(touching, count, covered & ~whole);
     }
     portable::Interval chord(std::size_t k, std::size_t i, const Box& box) const {
+        if (is_whole_[i]) return {0, 0};
         const auto [begin, end] = portable::ellipse_chord(near_.x[k], of_samples_[k], box.x,
                                                           box.width, of_boxes_[i], period_x());
         return {near_.y[k] + begin, near_.y[k] + end};
@@ -249,6 +253,8 @@ private:
     std::vector<FloatEllipse> in_floats_;
     std::array<portable::Ellipse, BoxBatch::kBoxes> of_boxes_{};
     std::array<FloatEllipse, BoxBatch::kBoxes> boxes_in_floats_{};
+    // Boxes where the mask forbids some place: nothing is cut from them until they are halved.
+    std::array<bool, BoxBatch::kBoxes> is_whole_{};
 };
 
 }  // namespace lacuna::cpu
