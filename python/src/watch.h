@@ -28,14 +28,15 @@ public:
         return true;
     }
 
-    // Once in kInterval runs Python's signal handlers and calls progress; throws what they raise.
+    // At first and then once in kInterval, runs Python's signal handlers and, once it is known what
+    // is expected, calls progress; throws what they raise.
     void look(std::uint64_t done, std::uint64_t expected) {
         const Clock::time_point now = Clock::now();
         if (now < next_) return;
         next_ = now + kInterval;
         const nb::gil_scoped_acquire gil;
         if (PyErr_CheckSignals() != 0) throw nb::python_error();
-        if (!progress_.is_none()) progress_(done, std::max(done, expected));
+        if (!progress_.is_none() && expected != 0) progress_(done, std::max(done, expected));
     }
 
     void begin(Verb verb) override { begun_[index_of(verb)] = Clock::now(); }
@@ -64,7 +65,7 @@ private:
 
     nb::object progress_;
     Clock::time_point start_ = Clock::now();
-    Clock::time_point next_ = start_ + kInterval;
+    Clock::time_point next_ = start_;
     std::array<Clock::time_point, kVerbs> begun_{};
     std::array<Seconds, kVerbs> spent_{};
 };
