@@ -1,6 +1,7 @@
-// Makes points from pixels or from a request, like the command's stipple and sample.
+// Makes points from pixels or a request, as the command line does that is given.
 #include "lacuna_web.h"
 
+#include <lacuna/stipple.h>
 #include <lacuna/version.h>
 
 #include <algorithm>
@@ -17,7 +18,9 @@
 #include "pictures/importance.h"
 #include "pictures/whole_samples.h"
 #include "recipes/make.h"
+#include "recipes/read.h"
 #include "recipes/settle.h"
+#include "recipes/targets.h"
 
 namespace lacuna::files {
 
@@ -83,10 +86,48 @@ Set set_of(const Request& request, Result result) {
     return set;
 }
 
-}  // namespace
+void read_dot_size(const std::string& text, StippleOptions& options) {
+    options.pens = recipes::read_pens("dot-size", text, true);
+}
+void read_paper_size(const std::string& text, StippleOptions& options) {
+    options.paper = recipes::read_paper("paper-size", text);
+}
+// The table of options has the paper before the margin, which needs it.
+void read_margin(const std::string& text, StippleOptions& options) {
+    const double margin_mm = recipes::read_length("margin", text, 0);
+    if (options.paper) options.paper->margin_mm = margin_mm;
+}
+
+// What the options of a command line say.
+struct Asked {
+    StippleOptions stipple;  // of sample, the request alone
+    recipes::Given given;    // of sample
+};
+
+// Puts the options into the order of the table and reads them.
+Asked asked_by(recipes::CommandLine& line) {
+    for (const recipes::GivenOption& given : line.given)
+        if (recipes::find_option(line.command, given.name) == nullptr)
+            throw BadRequest(std::string(given.name), "", "is no option of this command");
+    line.sort();
+    Asked asked;
+    recipes::Targets targets;
+    if (line.command == recipes::kStipple) {
+        targets = recipes::targets_of(asked.stipple);
+        targets["dot-size"] = recipes::take_by<read_dot_size>(asked.stipple);
+        targets["paper-size"] = recipes::take_by<read_paper_size>(asked.stipple);
+        targets["margin"] = recipes::take_by<read_margin>(asked.stipple);
+    } else {
+        targets = {{"mode", &asked.given.mode}, {"relax", &asked.given.relax}};
+        targets.merge(recipes::targets_of(asked.stipple.request));
+    }
+    recipes::read(line, targets);
+    return asked;
+}
 
 Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tell) {
-    Teller teller(tell, options.relax.value_or(0));
+    const std::uint32_t relax = recipes::relax_of({.is_picture = true, .relax = options.relax});
+    Teller teller(tell, relax);
     Stippling made = lacuna::stipple(fields_of(pixels, options), options, teller);
     Set set = set_of(made.request, std::move(made.result));
     set.layers = std::move(made.layers);
@@ -97,13 +138,27 @@ Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tel
     return set;
 }
 
-Set sample(Request request, std::uint32_t relax, const Tell& tell) {
-    const bool is_default = request.mode == Mode::exact;
-    recipes::settle(
-        {.mode = is_default ? std::nullopt : std::optional(request.mode), .relax = relax}, request);
+Set sample(const recipes::Given& given, Request request, const Tell& tell) {
+    const std::uint32_t relax = recipes::relax_of(given);
+    recipes::settle(given, request);
     Teller teller(tell, relax);
     Set set = set_of(request, recipes::make(request, {.iterations = relax}, teller).result);
     if (relax != 0) set.radius = 0;  // dots are drawn as large as their number lets them be
+    return set;
+}
+
+}  // namespace
+
+std::string command_of(recipes::CommandLine line) {
+    const std::uint64_t seed = asked_by(line).stipple.request.seed;
+    return line.text(seed);
+}
+
+Set make(const Pixels& pixels, recipes::CommandLine line, const Tell& tell) {
+    const Asked asked = asked_by(line);
+    Set set = line.command == recipes::kStipple ? stipple(pixels, asked.stipple, tell)
+                                                : sample(asked.given, asked.stipple.request, tell);
+    set.command = line.text(set.seed);
     return set;
 }
 
@@ -136,8 +191,8 @@ Spectrum spectrum(const Set& set, double most, const Tell& tell) {
     return result;
 }
 
-std::string encode(const Set& set, const std::string& format, const std::string& command) {
-    const files::Origin origin{LACUNA_VERSION, command, set.mode, set.seed, set.maximal};
+std::string encode(const Set& set, const std::string& format) {
+    const files::Origin origin{LACUNA_VERSION, set.command, set.mode, set.seed, set.maximal};
     drawing::Style style = set.style;
     style.diameters = set.diameters;
     files::PointSet points{set.points, set.domain, set.radius, &origin};

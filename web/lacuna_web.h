@@ -1,9 +1,8 @@
 // The functions that the page needs: one picture and one set at a time, like the command's stipple,
-// sample, verify and analyze.
+// sample, verify and analyze. Options are given as on a command line, and read by the same rules.
 #pragma once
 
 #include <lacuna/lacuna.h>
-#include <lacuna/stipple.h>
 #include <lacuna/verify.h>
 
 #include <cstdint>
@@ -13,6 +12,7 @@
 
 #include "drawing/picture.h"
 #include "files/point_files.h"
+#include "recipes/options.h"
 
 namespace lacuna::web {
 
@@ -37,13 +37,17 @@ struct Set {
     std::vector<double> diameters;     // empty: the same for all dots, from the radius
     drawing::Style style;              // without the diameters
     bool has_columns = false;  // whether csv and npy have columns for dots (pen or paper given)
+    std::string command;       // the command line that makes the same set
 };
 
-// The dots of a picture. Throws what lacuna::stipple throws.
-Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tell);
+// The command line of stipple or sample with these options, in the order of the table. Throws
+// BadRequest for an option that the command does not have, a text that is no value of its option,
+// and options that exclude or need each other.
+std::string command_of(recipes::CommandLine line);
 
-// Throws what lacuna::sample and lacuna::relax throw.
-Set sample(Request request, std::uint32_t relax, const Tell& tell);
+// The set of the command line: dots of the picture for stipple, which sample does not use. Throws
+// what command_of, lacuna::stipple, lacuna::sample and lacuna::relax throw.
+Set make(const Pixels& pixels, recipes::CommandLine line, const Tell& tell);
 
 // Whether the points are at least the radius apart and leave no gap.
 Proof prove(const Set& set, double radius);
@@ -57,6 +61,6 @@ struct Spectrum {
 Spectrum spectrum(const Set& set, double most, const Tell& tell);
 
 // The bytes of the file that the command writes: csv, npy or svg. An svg contains the command line.
-std::string encode(const Set& set, const std::string& format, const std::string& command);
+std::string encode(const Set& set, const std::string& format);
 
 }  // namespace lacuna::web

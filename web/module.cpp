@@ -4,14 +4,18 @@
 // last result is kept. Pointers to it are invalid after the next call.
 #include <emscripten.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/number_text.h"
 #include "lacuna_web.h"
+#include "recipes/options.h"
 
 namespace {
 
@@ -22,7 +26,6 @@ EM_JS(void, tell_page, (double share), { Module["tell"](share); });
 
 struct State {
     web::Pixels pixels;
-    StippleOptions options;
     web::Set set;
     web::Spectrum spectrum;
     std::string text;  // a file, or the verdict on the set
@@ -47,18 +50,21 @@ bool is_done(const Work& work) {
     return false;
 }
 
-// NaN from JavaScript means that no number was given.
-bool is_given(double number) {
-    return !std::isnan(number);
-}
-
-// Checks that a number that the user typed is whole.
-std::uint64_t whole(const char* option, double number) {
-    constexpr double kMost = 9007199254740992;  // 2^53: up to it JavaScript's numbers are exact
-    if (!(number >= 0 && number <= kMost) || number != std::floor(number))
-        throw BadRequest(option, shortest(number),
-                         "must be a whole number from 0 to 9007199254740992");
-    return static_cast<std::uint64_t>(number);
+// The command line of a form: the name of the command, then each option and its text, all ended by
+// a line end. A flag has no text.
+recipes::CommandLine line_of(std::string_view form) {
+    const auto next = [&form] {
+        const std::string_view line = form.substr(0, form.find('\n'));
+        form.remove_prefix(std::min(line.size() + 1, form.size()));
+        return line;
+    };
+    recipes::CommandLine line{next() == "stipple" ? recipes::kStipple : recipes::kSample, {}};
+    while (!form.empty()) {
+        line.given.push_back({next(), {}});
+        if (const std::string_view text = next(); !text.empty())
+            line.given.back().values.emplace_back(text);
+    }
+    return line;
 }
 
 }  // namespace
@@ -81,67 +87,17 @@ EMSCRIPTEN_KEEPALIVE std::uint8_t* lacuna_room_for_pixels(std::uint32_t columns,
     return done ? state().pixels.rgba.data() : nullptr;
 }
 
-EMSCRIPTEN_KEEPALIVE void lacuna_tone(double black, double white, bool auto_levels, bool invert,
-                                      double gamma, std::uint32_t sharpen) {
-    Tone& tone = state().options.tone;
-    tone.sharpen = sharpen;
-    tone.black = black;
-    tone.white = white;
-    tone.auto_levels = auto_levels;
-    tone.invert = invert;
-    tone.gamma = gamma;
+// Writes the command line of a form to lacuna_text(), with the output `file`.
+EMSCRIPTEN_KEEPALIVE bool lacuna_command(const char* form, const char* file) {
+    return is_done(
+        [&] { state().text = web::command_of(line_of(form)) + " -o " + recipes::quoted(file); });
 }
 
-// Lengths are in mm. If `pen` is NaN, dots follow the darkness. If `width` is NaN: no paper.
-EMSCRIPTEN_KEEPALIVE void lacuna_page(double pen, double width, double height, double margin,
-                                      bool pen_path) {
-    StippleOptions& options = state().options;
-    options.pens.reset();
-    options.paper.reset();
-    if (is_given(pen)) options.pens = {pen, pen};
-    if (is_given(width)) options.paper = {width, height, margin, true};
-    options.pen_path = pen_path;
-}
-
-// `inks` is as for --inks, or empty.
-EMSCRIPTEN_KEEPALIVE bool lacuna_dots(const char* inks, double size_by_tone, bool keep_inside) {
+// Makes the set of a form.
+EMSCRIPTEN_KEEPALIVE bool lacuna_make(const char* form) {
     return is_done([&] {
-        StippleOptions& options = state().options;
-        options.inks.clear();
-        if (*inks != '\0') options.inks = inks_of(inks);
-        options.size_by_tone = size_by_tone;
-        options.keep_inside = keep_inside;
-    });
-}
-
-// `count`: NaN for automatic. `metric`: 0 to 2 for min, mean, max; negative for the default.
-EMSCRIPTEN_KEEPALIVE bool lacuna_stipple(double count, int metric, double relax, double seed) {
-    return is_done([&] {
-        State& now = state();
-        now.options.request.count.reset();
-        if (is_given(count)) now.options.request.count = whole("count", count);
-        now.options.metric.reset();
-        if (metric >= 0) now.options.metric = static_cast<Metric>(metric);
-        now.options.relax = static_cast<std::uint32_t>(whole("relax", relax));
-        now.options.request.seed = whole("seed", seed);
-        now.set = {};
-        now.set = web::stipple(now.pixels, now.options, tell_page);
-    });
-}
-
-// Either `radius` or `count` must be NaN. `mode` is 0 (exact) or 1 (lines).
-EMSCRIPTEN_KEEPALIVE bool lacuna_sample(double radius, double count, bool torus, int mode,
-                                        double relax, double seed) {
-    return is_done([&] {
-        Request request;
-        if (is_given(radius)) request.radius = radius;
-        if (is_given(count)) request.count = whole("count", count);
-        request.domain.boundary = torus ? Boundary::torus : Boundary::box;
-        request.mode = mode == 0 ? Mode::exact : Mode::lines;
-        request.seed = whole("seed", seed);
-        const auto iterations = static_cast<std::uint32_t>(whole("relax", relax));
         state().set = {};
-        state().set = web::sample(request, iterations, tell_page);
+        state().set = web::make(state().pixels, line_of(form), tell_page);
     });
 }
 
@@ -208,9 +164,18 @@ EMSCRIPTEN_KEEPALIVE const double* lacuna_radial() {
     return state().spectrum.radial.data();
 }
 
+// Writes the paper as JSON to lacuna_text(): its width, height and margin in mm, or null.
+EMSCRIPTEN_KEEPALIVE void lacuna_paper() {
+    const std::optional<Paper>& paper = state().set.style.sheet;
+    state().text = "null";
+    if (paper)
+        state().text = "[" + shortest(paper->width_mm) + "," + shortest(paper->height_mm) + "," +
+                       shortest(paper->margin_mm) + "]";
+}
+
 // Writes the bytes of a file to lacuna_text().
-EMSCRIPTEN_KEEPALIVE bool lacuna_encode(const char* format, const char* command) {
-    return is_done([&] { state().text = web::encode(state().set, format, command); });
+EMSCRIPTEN_KEEPALIVE bool lacuna_encode(const char* format) {
+    return is_done([&] { state().text = web::encode(state().set, format); });
 }
 EMSCRIPTEN_KEEPALIVE const char* lacuna_text() {
     return state().text.data();

@@ -2,7 +2,7 @@
 #include <lacuna/lacuna.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <charconv>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -105,9 +105,10 @@ bool is_off(const GivenOption& one) {
         return known.option == one.name;
     });
     if (off == std::end(kOff) || one.values.empty()) return false;
-    char* end = nullptr;
-    const double number = std::strtod(one.values.front().c_str(), &end);
-    return end != one.values.front().c_str() && number == off->number;
+    const std::string& text = one.values.front();
+    double number = 0;
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc{} && number == off->number;
 }
 
 // Null if it was not given, or not as the word that NAME=WORD says.

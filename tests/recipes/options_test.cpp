@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -144,9 +145,20 @@ TEST(TheTableOfWords, IsThatOfPythonAndOfThePage) {
     EXPECT_NE(arguments.find("Metric = " + literal(Words::metrics)), std::string::npos);
     EXPECT_NE(content_of("python/lacuna/_stipple.py").find(literal(Words::dot_modes)),
               std::string::npos);
-    const std::string page = content_of("web/page/command.js");
+    const std::string page = content_of("web/page/index.html");
     for (const std::string_view paper : words_of(Words::papers))
-        EXPECT_NE(page.find(std::string(paper) + ": ["), std::string::npos) << paper;
+        EXPECT_NE(page.find("<option>" + std::string(paper) + "<"), std::string::npos) << paper;
+    const std::regex control("data-option=\"([^\"]+)\"");
+    std::size_t controls = 0;
+    for (std::sregex_iterator found(page.begin(), page.end(), control), end; found != end;
+         ++found) {
+        const std::string option = (*found)[1];
+        EXPECT_TRUE(find_option(kStipple, option) != nullptr ||
+                    find_option(kSample, option) != nullptr)
+            << option;
+        ++controls;
+    }
+    EXPECT_GT(controls, 20u);
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // The page: turns its controls into requests, and shows and saves the results.
-import { PAPERS, sampleCommand, stippleCommand, wholeNumber, withOutput } from "./command.js";
 import { Cancelled, Engine } from "./engine.js";
 import { pdfOf } from "./pdf.js";
 import { diameterOf, drawDots, layersOf, drawSpectrum, pageOf, radialPath, View } from "./view.js";
@@ -30,51 +29,28 @@ const view = new View($("view"), (zoom) => {
 // --- requests
 class Refused extends Error {}
 
-const number = (id, name = id) => {
-    const text = $(id).value.trim();
-    const value = Number(text);
-    if (text === "" || !Number.isFinite(value)) throw new Refused(`${name} ${text || "empty"}: must be a number`);
-    return value;
-};
+const controls = () => [...$(`controls-${kind}`).querySelectorAll("[data-option]")];
 
-// A whole number; null if the field is empty.
-const count = (id) => {
-    const text = $(id).value.trim();
-    const value = text === "" ? null : wholeNumber(text);
-    if (text !== "" && value === null)
-        throw new Refused(`count ${text}: must be a whole number, such as 20000, 20,000 or 20k`);
-    return value;
-};
-
-function stippleOptions() {
-    const paperName = $("paper").value, paper = PAPERS[paperName] ?? null;
-    const o = {
-        count: count("count"), relax: number("relax"), metric: $("metric").value, seed: number("seed"),
-        pen: $("pen-kind").value === "pen" ? number("pen") : null,
-        black: number("black"), white: number("white"), gamma: number("gamma"),
-        autoLevels: $("auto-levels").checked, invert: $("invert").checked,
-        sharpen: number("sharpen"), inks: $("ink-kind").value === "own" ? $("inks").value.trim() : $("ink-kind").value,
-        sizeByTone: number("size-by-tone"), keepInside: $("keep-inside").checked,
-        paperName, paper, margin: paper ? number("margin") : 0, penPath: $("pen-path").checked,
-    };
-    if ($("ink-kind").value === "own" && o.inks === "") throw new Refused("inks empty: must be cmyk, or colours such as #0083b8,#d6006d");
-    if (o.inks !== "") o.metric = "auto";
-    if (o.pen !== null) o.sizeByTone = 0;
-    if (o.autoLevels) o.black = 0, o.white = 1;
-    if (o.pen !== null && !(o.pen >= 0.001 && o.pen <= 5080)) throw new Refused(`pen ${o.pen}mm: must be 0.001mm to 5080mm`);
-    if (paper && !(o.margin >= 0 && 2 * o.margin < paper[0]))
-        throw new Refused(`margin ${o.margin}mm: must be at least 0 and less than half of the paper's ${paper[0]}mm`);
-    return o;
+// The options that the controls give, as [name, text]. See index.html.
+function optionsNow() {
+    const options = kind === "stipple" ? [["IMAGE", picture.commandName]] : [];
+    for (const control of controls()) {
+        const { option, usual, unit = "" } = control.dataset;
+        if (option === "" || control.disabled || control.closest("[hidden]")) continue;
+        const isFlag = control.type === "checkbox", text = control.value.trim();
+        if (isFlag ? !control.checked : text === usual) continue;
+        if (text === "") throw new Refused(`${option} empty: must have a value`);
+        options.push([option, isFlag ? "" : text + unit]);
+    }
+    return options;
 }
 
-function sampleOptions() {
-    const isRadius = $("by").value === "radius";
-    return { radius: isRadius ? number("amount", "radius") : null, count: isRadius ? null : count("amount") ?? 0,
-        torus: $("torus").checked, mode: $("mode").value, relax: number("sample-relax", "relax"), seed: number("sample-seed", "seed") };
-}
-
-const optionsNow = () => (kind === "stipple" ? stippleOptions() : sampleOptions());
-const commandOf = (o) => (kind === "stipple" ? stippleCommand(picture.commandName, o) : sampleCommand(o));
+const has = (o, option) => o.some(([name]) => name === option);
+const controlOf = (option) => controls().find((control) => control.dataset.option === option);
+const relaxOf = (o) => Number(o.find(([name]) => name === "relax")?.[1] ?? controlOf("relax").dataset.usual);
+// The same set, placed roughly.
+const quick = (o) => [...o.filter(([name]) => name !== "relax" && name !== "pen-path"), ["relax", String(QUICK_RELAX)]];
+const formOf = (o) => [kind, ...o.flat()].map((text) => `${text}\n`).join("");
 const keyOf = (o) => JSON.stringify([kind, kind === "stipple" && picture.number, o]);
 const baseName = () => (kind === "stipple" ? picture.name.replace(/\.[^.]*$/, "") || "dots" : "points");
 const grouped = (n) => n.toLocaleString("en");
@@ -84,17 +60,12 @@ function say(text) {
     $("status").textContent = text;
 }
 
-const FIELDS = { count: () => (kind === "stipple" ? "count" : "amount"), radius: () => "amount", pen: () => "pen",
-    margin: () => "margin", seed: () => (kind === "stipple" ? "seed" : "sample-seed"),
-    "dot-size": () => "pen", inks: () => "inks", relax: () => (kind === "stipple" ? "relax" : "sample-relax"), gamma: () => "gamma", black: () => "black", white: () => "white" };
-
 function complain(error) {
     document.querySelectorAll("[aria-invalid]").forEach((field) => field.removeAttribute("aria-invalid"));
     $("error").hidden = !error;
     $("error").textContent = error ? error.message : "";
     if (!error) return;
-    const field = FIELDS[error.message.split(" ")[0]];
-    if (field) $(field()).setAttribute("aria-invalid", "true");
+    controlOf(error.message.split(" ")[0])?.setAttribute("aria-invalid", "true");
     say("Nothing was made.");
     state.state = "failed";
 }
@@ -105,10 +76,11 @@ function busy(isBusy) {
     if (isBusy) state.state = "working";
 }
 
-function showCommand(o) {
+async function showCommand(o) {
     const format = $("format").value;
+    const { command } = await engine.ask("command", { form: formOf(o), file: `${baseName()}.${format}` });
     // Lines break only between words of the command.
-    const words = withOutput(commandOf(o), `${baseName()}.${format}`).split(" ");
+    const words = command.split(" ");
     $("command").replaceChildren(...words.flatMap((word) =>
         [Object.assign(document.createElement("span"), { textContent: word }), " "]).slice(0, -1));
     $("command-note").textContent = ["png", "pdf"].includes(format)
@@ -118,24 +90,23 @@ function showCommand(o) {
 // --- making of sets
 async function make(o, isFinal) {
     held = "";
-    if (kind === "sample") return engine.ask("sample", o);
-    if (sent !== picture) {
+    if (kind === "stipple" && sent !== picture) {
         sent = picture;
         await engine.ask("picture", { columns: picture.columns, rows: picture.rows, rgba: picture.rgba });
     }
-    return engine.ask("stipple", isFinal ? o : { ...o, relax: Math.min(o.relax, QUICK_RELAX), penPath: false });
+    return engine.ask("make", { form: formOf(isFinal ? o : quick(o)) });
 }
 
-function show(key, set, o) {
+function show(key, set) {
     const isFirst = !shown;
-    shown = { key, set, page: pageOf(set, o.paper, o.margin), o };
+    shown = { key, set, page: pageOf(set) };
     view.show(set, shown.page);
     if (isFirst) requestAnimationFrame(() => setTimeout(() => (state.first = Math.round(performance.now()))));
 }
 
 function summary(set, o, seconds) {
     const made = `${grouped(set.points.length / 2)} ${kind === "stipple" ? "dots" : "points"}`;
-    const relaxed = o.relax ? `, relaxed ${o.relax} times` : "";
+    const relaxed = relaxOf(o) ? `, relaxed ${relaxOf(o)} times` : "";
     const radius = kind === "sample" && set.radius ? `, radius ${+set.radius.toPrecision(4)}` : "";
     return `${made}${relaxed}${radius}, ${seconds.toFixed(2)} s`;
 }
@@ -150,23 +121,24 @@ async function run() {
     try {
         const o = optionsNow();
         const key = keyOf(o);
-        showCommand(o);
         complain(null);
         busy(true);
-        if (kind === "stipple" && o.relax > 2 * QUICK_RELAX) {
+        await showCommand(o);
+        if (isOld()) return;
+        if (kind === "stipple" && relaxOf(o) > 2 * QUICK_RELAX) {
             isQuick = true;
             say("Placing the dots …");
             const set = await make(o, false);
             isQuick = false;
             if (isOld()) return;
-            show(key, set, o);
+            show(key, set);
             if (isWaiting) return run();
         }
         say("Working …");
         const set = await make(o, true);
         if (isOld()) return;
         held = key;
-        show(key, set, o);
+        show(key, set);
         say(summary(set, o, (performance.now() - begin) / 1000));
         if (kind === "sample") await judge(set, o, isOld);
         if (isOld()) return;
@@ -195,14 +167,14 @@ function schedule() {
 
 // Shows the verdict and the spectrum of a set.
 async function judge(set, o, isOld) {
-    if (o.relax) $("verdict").textContent = "Relaxed points promise no least distance.";
+    if (relaxOf(o)) $("verdict").textContent = "Relaxed points promise no least distance.";
     else {
         const proof = await engine.ask("prove", { radius: set.radius });
         if (isOld()) return;
         const short = (value) => (value === null ? "none" : +value.toPrecision(5));
         $("verdict").textContent = (proof.kept ? `✓ No two points are closer than the radius: the least distance is ${short(proof.least)}.\n`
             : `✗ Two points are closer than the radius: ${short(proof.least)} apart.\n`) +
-            (proof.covered ? "✓ No room is left for one more point." : o.count !== null ? "There is room for more points, because their number was given."
+            (proof.covered ? "✓ No room is left for one more point." : has(o, "count") ? "There is room for more points, because their number was given."
                 : `✗ There is room for more points: a spot is ${short(proof.largestGap)} from every point.`);
     }
     const isSmall = set.points.length / 2 <= MOST_FOR_SPECTRUM;
@@ -313,7 +285,7 @@ async function download() {
         const name = `${baseName()}.${format}`;
         if (format === "png") return save(await drawn(shown), name);
         if (format === "pdf") return save(await asPdf(shown), name);
-        const { bytes } = await engine.ask("encode", { format, command: commandOf(o) });
+        const { bytes } = await engine.ask("encode", { format });
         save(new Blob([bytes]), name);
         say(`${name}: ${grouped(bytes.length)} bytes.`);
     } catch (error) {
@@ -364,6 +336,8 @@ function update() {
     $("pen-row").hidden = !isPen;
     document.querySelectorAll(".tone-row").forEach((part) => (part.hidden = isPen));
     $("ink-row").hidden = $("ink-kind").value !== "own";
+    $("ink-kind").dataset.option = $("ink-row").hidden ? "inks" : "";
+    $("amount").dataset.option = $("by").value;
     $("metric-row").hidden = $("ink-kind").value !== "";
     $("margin").disabled = $("paper").value === "none";
     $("black").disabled = $("white").disabled = $("auto-levels").checked;
@@ -371,7 +345,6 @@ function update() {
 }
 
 function listen() {
-    for (const name of Object.keys(PAPERS)) $("paper").append(new Option(name, name));
     ratioSlider($("count-slider"), $("count"), () => [100, 250000], 3, schedule);
     const place = ratioSlider($("amount-slider"), $("amount"), () => ($("by").value === "radius" ? [0.2, 0.003] : [20, 100000]), 3, schedule);
     $("by").addEventListener("change", () => {
@@ -415,9 +388,9 @@ function listen() {
     $("zoom-all").addEventListener("click", () => (view.reset(), view.onZoom(1)));
     $("cancel").addEventListener("click", () => engine.cancel());
     document.addEventListener("keydown", (event) => event.key === "Escape" && engine?.cancel());
-    $("format").addEventListener("change", () => {
+    $("format").addEventListener("change", async () => {
         try {
-            showCommand(optionsNow());
+            await showCommand(optionsNow());
         } catch {} // run() has shown the message
     });
     $("download").addEventListener("click", download);

@@ -19,9 +19,9 @@ function splat(grey, width, height, x, y, r) {
 }
 
 // The page and the domain's position on it, in units of the domain; as in host/drawing/page.cpp.
-export function pageOf(set, paper, margin) {
-    if (!paper) return { width: set.width, height: set.height, left: 0, bottom: 0, mm: null };
-    const [w, h] = set.width > set.height ? [paper[1], paper[0]] : paper;
+export function pageOf(set) {
+    if (!set.paper) return { width: set.width, height: set.height, left: 0, bottom: 0, mm: null };
+    const [w, h, margin] = set.paper;
     const mm = Math.min((w - 2 * margin) / set.width, (h - 2 * margin) / set.height);
     return { width: w / mm, height: h / mm, mm,
         left: (w / mm - set.width) / 2, bottom: (h / mm - set.height) / 2 };

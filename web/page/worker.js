@@ -30,9 +30,6 @@ const started = new Promise((resolve) => {
     });
 });
 
-const NONE = NaN; // a number that was not given
-const given = (value) => (value === null || value === undefined ? NONE : value);
-
 function fail() {
     throw new Error(lacuna.UTF8ToString(lacuna._lacuna_message()));
 }
@@ -41,9 +38,12 @@ function check(done) {
     if (!done) fail();
 }
 
-// What the module has written as JSON.
+// What the module has written, and that as JSON.
+function text() {
+    return lacuna.UTF8ToString(lacuna._lacuna_text());
+}
 function written() {
-    return JSON.parse(lacuna.UTF8ToString(lacuna._lacuna_text()));
+    return JSON.parse(text());
 }
 
 function doubles(pointer, count) {
@@ -77,6 +77,7 @@ function made() {
         points: doubles(lacuna._lacuna_points(), 2 * count),
         diameters: doubles(lacuna._lacuna_diameters(), count),
         layers: written(lacuna._lacuna_layers()),
+        paper: written(lacuna._lacuna_paper()),
         width: lacuna._lacuna_width(),
         height: lacuna._lacuna_height(),
         radius: lacuna._lacuna_radius(),
@@ -88,18 +89,13 @@ const verbs = {
         takePicture(picture);
         return {};
     },
-    stipple(o) {
-        lacuna._lacuna_tone(o.black, o.white, o.autoLevels, o.invert, o.gamma, o.sharpen);
-        check(withTexts([o.inks], (inks) => lacuna._lacuna_dots(inks, o.sizeByTone, o.keepInside)));
-        const paper = o.paper || [NONE, NONE];
-        lacuna._lacuna_page(given(o.pen), paper[0], paper[1], o.margin, o.penPath);
-        const metric = ["min", "mean", "max"].indexOf(o.metric);
-        check(lacuna._lacuna_stipple(given(o.count), metric, o.relax, o.seed));
-        return made();
+    // The command line of a form with a file that it writes.
+    command({ form, file }) {
+        check(withTexts([form, file], (a, b) => lacuna._lacuna_command(a, b)));
+        return { command: text() };
     },
-    sample(o) {
-        const mode = o.mode === "lines" ? 1 : 0;
-        check(lacuna._lacuna_sample(given(o.radius), given(o.count), o.torus, mode, o.relax, o.seed));
+    make({ form }) {
+        check(withTexts([form], (a) => lacuna._lacuna_make(a)));
         return made();
     },
     prove({ radius }) {
@@ -115,8 +111,8 @@ const verbs = {
             radial: doubles(lacuna._lacuna_radial(), lacuna._lacuna_radial_size()),
         };
     },
-    encode({ format, command }) {
-        check(withTexts([format, command], (a, b) => lacuna._lacuna_encode(a, b)));
+    encode({ format }) {
+        check(withTexts([format], (a) => lacuna._lacuna_encode(a)));
         const at = lacuna._lacuna_text();
         return { bytes: lacuna.HEAPU8.slice(at, at + lacuna._lacuna_text_size()) };
     },
