@@ -2,11 +2,11 @@
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lacuna)
-set_target_properties(lacuna PROPERTIES
+set_target_properties(${lacuna_public} PROPERTIES
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 
-# The command needs a shared library; everything else is for those who build programs with it.
-install(TARGETS lacuna EXPORT lacuna-targets
+# A shared library is for programs that were built with it; all else is for those who build them.
+install(TARGETS ${lacuna_public} EXPORT lacuna-targets
     LIBRARY COMPONENT command NAMELINK_COMPONENT development
     ARCHIVE COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/host/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
@@ -19,7 +19,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}
 
 # Whoever links a static library links its private packages too, so they must be found first.
 set(lacuna_packages)
-get_target_property(library_type lacuna TYPE)
+get_target_property(library_type ${lacuna_public} TYPE)
 if(library_type STREQUAL "STATIC_LIBRARY")
     get_target_property(libraries lacuna LINK_LIBRARIES)
     foreach(library IN LISTS libraries)
@@ -33,8 +33,6 @@ if(library_type STREQUAL "STATIC_LIBRARY")
     list(REMOVE_DUPLICATES lacuna_packages)
 endif()
 
-configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/lacuna-config.cmake.in
-    ${PROJECT_BINARY_DIR}/lacuna-config.cmake INSTALL_DESTINATION ${package_dir})
 # Before 1.0 a minor version may change the interface.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/lacuna-config-version.cmake
     COMPATIBILITY SameMinorVersion)
@@ -60,8 +58,16 @@ install(FILES ${PROJECT_BINARY_DIR}/lacuna.pc DESTINATION ${CMAKE_INSTALL_LIBDIR
 # The targets of lacuna::extras have a file of their own: a program that uses the library alone
 # needs none of these packages.
 if(LACUNA_EXTRAS)
-    install(TARGETS lacuna_extras lacuna_analysis lacuna_domains lacuna_stipple lacuna_pictures lacuna_files
-        EXPORT lacuna-extras-targets
+    if(library_type STREQUAL "STATIC_LIBRARY")
+        set(lacuna_extras_installed ${lacuna_extras_libraries})
+        set(lacuna_extras_packages fmt OpenSSL ZLIB PNG JPEG pugixml TBB)
+        set(lacuna_extras_modules cairo polyclipping)
+        set(lacuna_extras_pc_requires fmt tbb cairo zlib libcrypto libpng libjpeg polyclipping pugixml)
+        list(JOIN lacuna_extras_pc_requires " " lacuna_extras_pc_requires)
+        list(TRANSFORM lacuna_extras_libraries PREPEND -l OUTPUT_VARIABLE lacuna_extras_pc_libs)
+        list(JOIN lacuna_extras_pc_libs " " lacuna_extras_pc_libs)
+    endif()
+    install(TARGETS lacuna_extras ${lacuna_extras_installed} EXPORT lacuna-extras-targets
         ARCHIVE COMPONENT development)
     install(EXPORT lacuna-extras-targets NAMESPACE lacuna:: DESTINATION ${package_dir}
         COMPONENT development)
@@ -71,13 +77,12 @@ if(LACUNA_EXTRAS)
         COMPONENT development)
 endif()
 
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/lacuna-config.cmake.in
+    ${PROJECT_BINARY_DIR}/lacuna-config.cmake INSTALL_DESTINATION ${package_dir})
+
 if(LACUNA_COMMAND)
-    # With this the command finds the shared library wherever the whole tree was installed.
-    file(RELATIVE_PATH bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
-    set_target_properties(lacuna_command PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
     install(TARGETS lacuna_command COMPONENT command)
     if(LACUNA_HAS_MPI)
-        set_target_properties(lacuna_mpi PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
         install(TARGETS lacuna_mpi COMPONENT mpi)
         if(mpi_man_page)
             install(FILES ${mpi_man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT mpi)

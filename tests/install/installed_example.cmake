@@ -18,7 +18,7 @@ set(toolchain -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPI
 
 if(SHARED_SOURCE)
     run("configuring the shared library" ${CMAKE_COMMAND} ${toolchain} -S ${SHARED_SOURCE} -B ${BUILD}
-        -D BUILD_SHARED_LIBS=ON -D LACUNA_COMMAND=OFF -D LACUNA_TESTS=OFF -D LACUNA_BENCHMARKS=OFF
+        -D BUILD_SHARED_LIBS=ON -D LACUNA_EXTRAS=ON -D LACUNA_COMMAND=OFF -D LACUNA_TESTS=OFF -D LACUNA_BENCHMARKS=OFF
         # Without optimisation, in few units, and without the headers of devices, which take most of
         # the time: only building and finding are tested.
         -D CMAKE_BUILD_TYPE=None -D CMAKE_UNITY_BUILD=ON -D CMAKE_UNITY_BUILD_BATCH_SIZE=16
@@ -33,6 +33,13 @@ run("installing" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 run("configuring the example" ${CMAKE_COMMAND} ${toolchain} -S ${EXAMPLE} -B ${SCRATCH}/example
     -D CMAKE_PREFIX_PATH=${prefix} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}")
 run("building the example" ${CMAKE_COMMAND} --build ${SCRATCH}/example)
+
+if(SHARED_SOURCE)
+    find_package(Python3 REQUIRED COMPONENTS Interpreter)
+    file(GLOB_RECURSE shared ${prefix}/liblacuna.so)
+    run("looking at what the shared library exports" ${Python3_EXECUTABLE}
+        ${CMAKE_CURRENT_LIST_DIR}/exported.py ${shared} ${prefix}/include/lacuna)
+endif()
 
 file(STRINGS ${SCRATCH}/example/CMakeCache.txt found REGEX "^lacuna_DIR:")
 if(NOT found MATCHES "=${prefix}/")

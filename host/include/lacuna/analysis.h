@@ -9,6 +9,7 @@
 #pragma once
 
 #include <lacuna/domain.h>
+#include <lacuna/export.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +18,7 @@
 #include <span>
 #include <vector>
 
-namespace lacuna {
+namespace LACUNA_API lacuna {
 
 // A ring of the periodogram P(k) = |sum over points of exp(-2 pi i k.x)|^2 / count, without k = 0.
 struct Ring {

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <lacuna/errors.h>
+#include <lacuna/export.h>
 
 #include <functional>
 
-namespace lacuna {
+namespace LACUNA_API lacuna {
 
 // While a CancelScope lives, every function of Lacuna that its thread calls asks `keep_going` now
 // and then, on that thread. If it returns false, the function throws Cancelled and does not ask

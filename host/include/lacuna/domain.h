@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lacuna/errors.h>
+#include <lacuna/export.h>
 
 #include <cstdint>
 #include <memory>
@@ -9,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace lacuna {
+namespace LACUNA_API lacuna {
 
 // A position in the user's own units.
 struct Point {

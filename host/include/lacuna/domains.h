@@ -19,6 +19,7 @@
 #pragma once
 
 #include <lacuna/domain.h>
+#include <lacuna/export.h>
 #include <lacuna/files.h>
 
 #include <cstdint>
@@ -28,7 +29,7 @@
 #include <string_view>
 #include <vector>
 
-namespace lacuna {
+namespace LACUNA_API lacuna {
 
 struct Polygons {
     std::vector<PolygonRing> rings{};  // of at least three points each, or lines; y upwards

@@ -1,10 +1,12 @@
 // What the functions of Lacuna throw.
 #pragma once
 
+#include <lacuna/export.h>
+
 #include <stdexcept>
 #include <string>
 
-namespace lacuna {
+namespace LACUNA_API lacuna {
 
 class Error : public std::runtime_error {
     using std::runtime_error::runtime_error;

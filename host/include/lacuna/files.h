@@ -12,13 +12,14 @@
 #pragma once
 
 #include <lacuna/domain.h>
+#include <lacuna/export.h>
 
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace lacuna {
+namespace LACUNA_API lacuna {
 
 // A file could not be read or written: names the path and the system's reason.
 class FileError : public Error {

@@ -10,6 +10,7 @@
 //     the way from the first cell's to the second's.
 #pragma once
 
+#include <lacuna/export.h>
 #include <lacuna/relax.h>
 
 #include <array>
@@ -19,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace lacuna {
+namespace LACUNA_API lacuna {
 
 // An ink, or a pen.
 struct Ink {

@@ -7,13 +7,14 @@
 //   - Few sets are in memory at once: about 64 small sets per thread, or one large set.
 #pragma once
 
+#include <lacuna/export.h>
 #include <lacuna/sample.h>
 
 #include <cstdint>
 #include <functional>
 #include <span>
 
-namespace lacuna {
+namespace LACUNA_API lacuna {
 
 // Is called with each set in turn. If it throws, sample_many() ends with that exception.
 using TakeSet = std::function<void(std::uint64_t seed, Result set)>;

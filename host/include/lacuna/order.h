@@ -2,13 +2,14 @@
 // as evenly as can be. Link lacuna.
 #pragma once
 
+#include <lacuna/export.h>
 #include <lacuna/sample.h>
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace lacuna {
+namespace LACUNA_API lacuna {
 
 struct OrderOptions {
     Domain domain{};

@@ -18,6 +18,7 @@
 //     request.count = 20000;
 #pragma once
 
+#include <lacuna/export.h>
 #include <lacuna/files.h>
 #include <lacuna/inks.h>
 #include <lacuna/sample.h>
@@ -28,7 +29,7 @@
 #include <string_view>
 #include <vector>
 
-namespace lacuna {
+namespace LACUNA_API lacuna {
 
 // How luminance becomes importance.
 struct Tone {

@@ -1,6 +1,7 @@
 // Makes point sets even: their cells hold equal importance. Link lacuna.
 #pragma once
 
+#include <lacuna/export.h>
 #include <lacuna/sample.h>
 
 #include <cstdint>
@@ -9,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace lacuna {
+namespace LACUNA_API lacuna {
 
 // How points are relaxed: see relax.
 struct RelaxOptions {

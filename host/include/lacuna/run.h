@@ -2,13 +2,14 @@
 #pragma once
 
 #include <lacuna/errors.h>
+#include <lacuna/export.h>
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace lacuna {
+namespace LACUNA_API lacuna {
 
 // Where the work is done.
 struct Place {

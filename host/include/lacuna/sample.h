@@ -30,6 +30,7 @@
 #pragma once
 
 #include <lacuna/domain.h>
+#include <lacuna/export.h>
 #include <lacuna/run.h>
 
 #include <cstdint>
@@ -39,7 +40,7 @@
 #include <string_view>
 #include <vector>
 
-namespace lacuna {
+namespace LACUNA_API lacuna {
 
 // How a disk is stretched to an ellipse of the same area: its longer radius over its shorter one,
 // and the angle from the x axis to the longer one, counterclockwise in radians.

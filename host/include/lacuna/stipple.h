@@ -13,6 +13,7 @@
 //     lacuna::write_stippling("dots.svg", dots);
 #pragma once
 
+#include <lacuna/export.h>
 #include <lacuna/inks.h>
 #include <lacuna/pictures.h>
 #include <lacuna/relax.h>
@@ -22,7 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace lacuna {
+namespace LACUNA_API lacuna {
 
 // The diameters of dots that pens draw: where the importance is 0, and where it is 1.
 struct Pens {

@@ -35,6 +35,7 @@
 //   - The work grows nearly linearly with the number of points, however crowded they are.
 #pragma once
 
+#include <lacuna/export.h>
 #include <lacuna/sample.h>
 
 #include <cstddef>
@@ -44,7 +45,7 @@
 #include <span>
 #include <vector>
 
-namespace lacuna {
+namespace LACUNA_API lacuna {
 
 // What a set is said to be.
 struct Claim {
