@@ -58,7 +58,7 @@ recipes::CommandLine line_of(std::string_view form) {
         form.remove_prefix(std::min(line.size() + 1, form.size()));
         return line;
     };
-    recipes::CommandLine line{next() == "stipple" ? recipes::kStipple : recipes::kSample, {}};
+    recipes::CommandLine line{recipes::command_called(next()).value(), {}};
     while (!form.empty()) {
         line.given.push_back({next(), {}});
         if (const std::string_view text = next(); !text.empty())
@@ -89,8 +89,9 @@ EMSCRIPTEN_KEEPALIVE std::uint8_t* lacuna_room_for_pixels(std::uint32_t columns,
 
 // Writes the command line of a form to lacuna_text(), with the output `file`.
 EMSCRIPTEN_KEEPALIVE bool lacuna_command(const char* form, const char* file) {
-    return is_done(
-        [&] { state().text = web::command_of(line_of(form)) + " -o " + recipes::quoted(file); });
+    return is_done([&] {
+        state().text = web::command_of(line_of(form)) + " -o " + recipes::quoted_path(file);
+    });
 }
 
 // Makes the set of a form.

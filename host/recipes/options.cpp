@@ -394,11 +394,15 @@ std::string CommandLine::text(std::uint64_t seed) const {
         if (values.empty()) text += name;  // a flag
         // An option that may be given several times is given with each of its values.
         for (const std::string& value : values) {
-            const bool looks_like_an_option = is_argument && value.starts_with("-") && value != "-";
-            text += name + " " + quoted(looks_like_an_option ? "./" + value : value);
+            text += name + " " + (is_argument ? quoted_path(value) : quoted(value));
         }
     }
     return text;
+}
+
+std::string quoted_path(const std::string& path) {
+    const bool looks_like_an_option = path.starts_with("-") && path != "-";
+    return quoted(looks_like_an_option ? "./" + path : path);
 }
 
 std::string quoted(const std::string& word) {

@@ -97,6 +97,8 @@ struct CommandLine {
 
 // Quotes a word so that a shell reads it as one.
 std::string quoted(const std::string& word);
+// The same for a path, which must not look like an option.
+std::string quoted_path(const std::string& path);
 
 // Throws BadRequest for an option that needs another one which was not given, or that excludes one
 // which was given. A number that switches an option off, as in --relax 0, is as good as none.

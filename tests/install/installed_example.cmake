@@ -18,7 +18,8 @@ set(toolchain -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPI
 
 if(SHARED_SOURCE)
     run("configuring the shared library" ${CMAKE_COMMAND} ${toolchain} -S ${SHARED_SOURCE} -B ${BUILD}
-        -D BUILD_SHARED_LIBS=ON -D LACUNA_EXTRAS=ON -D LACUNA_COMMAND=OFF -D LACUNA_TESTS=OFF -D LACUNA_BENCHMARKS=OFF
+        -D BUILD_SHARED_LIBS=ON -D LACUNA_EXTRAS=ON -D LACUNA_COMMAND=OFF -D LACUNA_TESTS=OFF
+        -D LACUNA_BENCHMARKS=OFF
         # Without optimisation, in few units, and without the headers of devices, which take most of
         # the time: only building and finding are tested.
         -D CMAKE_BUILD_TYPE=None -D CMAKE_UNITY_BUILD=ON -D CMAKE_UNITY_BUILD_BATCH_SIZE=16

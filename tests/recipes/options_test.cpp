@@ -128,6 +128,12 @@ TEST(TheTableOfWords, HasTheWordsOfTheLibrary) {
     EXPECT_EQ(extensions(Words::chart_formats), files::picture_extensions());
 }
 
+TEST(APathForAShell, NeverLooksLikeAnOption) {
+    EXPECT_EQ(quoted_path("-x y.svg"), "'./-x y.svg'");
+    EXPECT_EQ(quoted_path("-"), "-");
+    EXPECT_EQ(quoted_path("x.svg"), "x.svg");
+}
+
 // Python and the page write some lists down: types and menus cannot come from a table.
 TEST(TheTableOfWords, IsThatOfPythonAndOfThePage) {
     const auto content_of = [](const std::string& file) {

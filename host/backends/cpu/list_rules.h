@@ -88,7 +88,8 @@ protected:
     // Stands for what lies under a box that is not halved. Few of these are touched by a sample.
     static constexpr Under kUnread{kAnyRadius, kAnyRadius, false};
 
-    // Adds what bits_ has for the first `boxes` boxes, without those that are covered.
+    // Adds each sample to those of the first `boxes` boxes that it touches by its bits in bits_,
+    // except the boxes that are covered.
     unsigned add_touching(Touching& touching, std::size_t boxes, unsigned covered) const {
         const unsigned open = ((1U << boxes) - 1) & ~covered;
         for (std::size_t k = 0; k < near_.count; ++k) touching.add(k, bits_[k] & open);
@@ -225,10 +226,10 @@ public:
         return count;
     }
     void set(std::size_t i, const Box& box) {
-        is_whole_[i] = false;
+        whole_ &= ~(1U << i);
         if (even_radius_ != 0) return;
         Under under = under_.least == kAnyRadius ? field_.under(box) : under_;
-        is_whole_[i] = under.least == 0;
+        whole_ |= unsigned{under.least == 0} << i;
         under.least = std::max(under.least, 1U);  // circles have no radius of 0
         of_boxes_[i] = field_.ellipse_under(box, under);
         boxes_in_floats_[i] = in_floats(of_boxes_[i]);
@@ -237,12 +238,10 @@ public:
         if (wraps_) return 0;
         const unsigned covered = vectors_.find_touching_ellipses(
             near_, in_floats_.data(), boxes, boxes_in_floats_.data(), bits_.data());
-        unsigned whole = 0;
-        for (std::size_t i = 0; i < count; ++i) whole |= unsigned{is_whole_[i]} << i;
-        return add_touching(touching, count, covered & ~whole);
+        return add_touching(touching, count, covered & ~whole_);
     }
     portable::Interval chord(std::size_t k, std::size_t i, const Box& box) const {
-        if (is_whole_[i]) return {0, 0};
+        if ((whole_ >> i & 1) != 0) return {0, 0};
         const auto [begin, end] = portable::ellipse_chord(near_.x[k], of_samples_[k], box.x,
                                                           box.width, of_boxes_[i], period_x());
         return {near_.y[k] + begin, near_.y[k] + end};
@@ -253,8 +252,9 @@ private:
     std::vector<FloatEllipse> in_floats_;
     std::array<portable::Ellipse, BoxBatch::kBoxes> of_boxes_{};
     std::array<FloatEllipse, BoxBatch::kBoxes> boxes_in_floats_{};
-    // Boxes where the mask forbids some place: nothing is cut from them until they are halved.
-    std::array<bool, BoxBatch::kBoxes> is_whole_{};
+    // A bit for each box where the mask forbids some place: nothing is cut from it until it is
+    // halved.
+    unsigned whole_ = 0;
 };
 
 }  // namespace lacuna::cpu

@@ -20,7 +20,7 @@ class Faults : public tests::OnFaultyBackend {
 protected:
     // A fault is noticed if it changes the set, takes more rounds or causes an error. No fault may
     // leave a box unwritten or write it in another place, because the old content of memory would
-    // be read as coordinates: scan_test has faults in the sums. Oclgrind names each access out of
+    // be read as coordinates: scan_test has a fault in scan. Oclgrind names each access out of
     // range: oclgrind --build-options -cl-opt-disable device_test --gtest_filter='*Faults*/opencl'.
     void expect_noticed(const Plan& plan, const std::vector<Fault>& faults,
                         const device::Tuning& tuning = {}) {
@@ -82,6 +82,10 @@ TEST_P(Faults, InLinesAreNoticed) {
          {"bodies/lines/place.h", "? candidate.x :", "? 0u : candidate.x + 0u *"},
          {"portable/chord.h", "y + 1u - cut;", "y + 1000u - cut;", "subtract"}},
         {.rows_of_tile = 32});
+    // Only where a round has more than 64 words of draws do the sums of blocks count.
+    expect_noticed(
+        tests::plan_of(0.005, 2, Boundary::torus),
+        {{"bodies/common/sums.h", "AT(sums, number >> block_bits)", "0u", "list_samples"}});
 }
 
 TEST_P(Faults, InExactAreNoticed) {
