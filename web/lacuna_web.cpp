@@ -18,7 +18,6 @@
 #include "pictures/importance.h"
 #include "pictures/whole_samples.h"
 #include "recipes/make.h"
-#include "recipes/read.h"
 #include "recipes/settle.h"
 #include "recipes/targets.h"
 
@@ -86,18 +85,6 @@ Set set_of(const Request& request, Result result) {
     return set;
 }
 
-void read_dot_size(const std::string& text, StippleOptions& options) {
-    options.pens = recipes::read_pens("dot-size", text, true);
-}
-void read_paper_size(const std::string& text, StippleOptions& options) {
-    options.paper = recipes::read_paper("paper-size", text);
-}
-// The table of options has the paper before the margin, which needs it.
-void read_margin(const std::string& text, StippleOptions& options) {
-    const double margin_mm = recipes::read_length("margin", text, 0);
-    if (options.paper) options.paper->margin_mm = margin_mm;
-}
-
 // What the options of a command line say.
 struct Asked {
     StippleOptions stipple;  // of sample, the request alone
@@ -114,9 +101,6 @@ Asked asked_by(recipes::CommandLine& line) {
     recipes::Targets targets;
     if (line.command == recipes::kStipple) {
         targets = recipes::targets_of(asked.stipple);
-        targets["dot-size"] = recipes::take_by<read_dot_size>(asked.stipple);
-        targets["paper-size"] = recipes::take_by<read_paper_size>(asked.stipple);
-        targets["margin"] = recipes::take_by<read_margin>(asked.stipple);
     } else {
         targets = {{"mode", &asked.given.mode}, {"relax", &asked.given.relax}};
         targets.merge(recipes::targets_of(asked.stipple.request));

@@ -113,6 +113,7 @@ class Watch {
 public:
     Watch(const MpiSample& all, bool speaks)
         : driver_(all.common.request.place.backend),
+          stopwatch_(!all.common.report.empty()),
           bar_(all.common.quiet || !speaks, all.progress) {}
     cli::Observers& observers() { return observers_; }
     const cli::Stopwatch& stopwatch() const { return stopwatch_; }
@@ -202,7 +203,7 @@ void add_sample(CLI::App& app, const MpiProgram* const& program) {
                          {"report", &all->common.report},
                          {"progress", &all->progress},
                          {"quiet", &all->common.quiet}};
-    cli::add_targets(targets, recipes::targets_of(all->common.request));
+    targets.merge(recipes::targets_of(all->common.request));
     cli::add_command(app, recipes::kMpiSample, kSampleDescription, targets,
                      [all, &program](const cli::CommandLine&) { run(*all, *program); });
 }

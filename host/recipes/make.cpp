@@ -72,4 +72,19 @@ Made make(const Request& request, const Moves& moves, Observer& observer) {
     return made;
 }
 
+Made make_in_inks(const Request& request, std::span<const InkPart> inks, const Moves& moves,
+                  Observer& observer) {
+    InkDots placed = place_inks(inks, request.seed, relax_options_of(request, moves), observer);
+    Made made;
+    made.result.points = std::move(placed.points);
+    made.result.backend = placed.backend;
+    made.result.device = placed.device;
+    note_moves(request, made.result);
+    made.relaxed.emplace(Relaxed{.lattice_columns = placed.lattice_columns,
+                                 .lattice_rows = placed.lattice_rows,
+                                 .backend = placed.backend,
+                                 .device = placed.device});
+    return made;
+}
+
 }  // namespace lacuna::recipes

@@ -1,10 +1,12 @@
 // Makes a point set from a request: samples it, then moves its points if that is asked for.
 #pragma once
 
+#include <lacuna/inks.h>
 #include <lacuna/lacuna.h>
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace lacuna::recipes {
 
@@ -42,5 +44,9 @@ void check_moves(const Request& request, const Moves& moves);
 // Makes the set. The mode and the metric of `request` are decided: see settle(). Throws what
 // check_moves(), sample() and relax() throw.
 Made make(const Request& request, const Moves& moves, Observer& observer);
+
+// Makes the dots of several inks, ink by ink. Throws what place_inks() throws.
+Made make_in_inks(const Request& request, std::span<const InkPart> inks, const Moves& moves,
+                  Observer& observer);
 
 }  // namespace lacuna::recipes

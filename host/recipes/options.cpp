@@ -232,6 +232,8 @@ constexpr Row kRows[] = {
      "Some of cpu,opencl,vulkan,reference (default: the first three)"},
     {{"runs", "N", Kind::whole, kCompare},
      "Number of timed runs of each backend, after the first run (default 5)"},
+    {{"work", "", Kind::flag, kCompare},
+     "Also prints what devices were asked to do in a round: launches, waits, transfers, kernels"},
     {{"runs", "N", Kind::whole, kReproduce},
      "Number of sets in each mean (default: 2 to 100, depending on the item)"},
     {{"image", "FILE", Kind::read_file, kReproduce}, "The picture that figure 7 stipples"},

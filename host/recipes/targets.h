@@ -42,7 +42,9 @@ using Targets = std::map<std::string_view, Target>;
 Targets targets_of(Request& request);
 Targets targets_of(Moves& moves);
 Targets targets_of(Tone& tone);
-// With those of its request and its tone. Link lacuna::extras.
+// Of dots of one size on paper: dot-size, paper-size and margin. Link lacuna::extras.
+Targets targets_of(std::optional<Pens>& pens, std::optional<Paper>& paper);
+// With those of its request, its tone and its paper. Link lacuna::extras.
 Targets targets_of(StippleOptions& options);
 
 // Throws BadRequest if the option must be one of some words and the text is none of them.

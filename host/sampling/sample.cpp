@@ -81,6 +81,18 @@ Work& Work::operator+=(const Work& other) {
     downloads += other.downloads;
     uploaded_bytes += other.uploaded_bytes;
     downloaded_bytes += other.downloaded_bytes;
+    for (const KernelWork& more : other.kernels) {
+        const auto known =
+            std::find_if(kernels.begin(), kernels.end(),
+                         [&](const KernelWork& kernel) { return kernel.name == more.name; });
+        if (known == kernels.end()) {
+            kernels.push_back(more);
+            continue;
+        }
+        known->launches += more.launches;
+        known->items += more.items;
+        known->seconds += more.seconds;
+    }
     return *this;
 }
 

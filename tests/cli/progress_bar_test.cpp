@@ -121,7 +121,9 @@ TEST(ProgressBar, TellsHowFarAnAnalysisIsAndClearsItsLineAtTheEnd) {
     const Folder folder;
     const std::string points = folder.path("a.npy");
     expect_success({"sample", "--count", "20000", "-o", points, "--quiet"});
-    const std::string text = shown_by({"analyze", points}, terminal, {{"NO_COLOR", "1"}});
+    // About a second of work: a bar is drawn every 50 ms.
+    const std::string text = shown_by({"analyze", points, "--threads", "1", "--max-frequency", "8"},
+                                      terminal, {{"NO_COLOR", "1"}});
     EXPECT_TRUE(std::regex_search(text, std::regex(" [0-9]+ %  analysing 1 set"))) << text;
     EXPECT_TRUE(text.ends_with("\r\x1b[K")) << text;
     EXPECT_EQ(shown_by({"analyze", points, "--quiet"}, terminal, {}), "");

@@ -28,7 +28,10 @@ public:
     std::string device() const override { return queue_->device().name; }
     Work work() const override { return queue_->work(); }
     Workers& workers() override { return workers_; }
-    void time_verbs() override { times_verbs_ = true; }
+    void time_verbs() override {
+        times_verbs_ = true;
+        queue_->time_kernels();
+    }
     void watch(std::function<bool()> may_go_on) override {
         workers_.watch(may_go_on);
         queue_->watch(std::move(may_go_on));

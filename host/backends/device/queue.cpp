@@ -26,12 +26,22 @@ void Queue::ask() {
     throw Cancelled();
 }
 
+std::size_t Queue::number_of(std::string_view kernel) {
+    auto& kernels = work_.kernels;
+    const auto known = std::find_if(kernels.begin(), kernels.end(),
+                                    [&](const KernelWork& one) { return one.name == kernel; });
+    if (known != kernels.end()) return static_cast<std::size_t>(known - kernels.begin());
+    kernels.push_back({std::string(kernel)});
+    return kernels.size() - 1;
+}
+
 void Queue::launch(const KernelShape& kernel, std::span<std::byte> arguments,
                    std::span<const Buffer> buffers, std::uint64_t items, std::uint64_t work) {
     const std::uint64_t group = group_size();
     const std::uint64_t side_by_side = device().kind == "cpu" ? 1 : kItemsSideBySide;
     const std::uint64_t groups = std::clamp<std::uint64_t>(
         kWorkPerSlice * side_by_side / group / std::max<std::uint64_t>(work, 1), 1, most_groups());
+    const std::size_t number = number_of(kernel.name);
     for (std::uint64_t first = 0; first < items; first += groups * group) {
         if (queued_ >= kWorkPerPause * side_by_side) {
             ask();
@@ -42,9 +52,11 @@ void Queue::launch(const KernelShape& kernel, std::span<std::byte> arguments,
         std::memcpy(arguments.data(), &first_item, sizeof(first_item));
         const std::uint64_t served = std::min(groups * group, items - first);
         enqueue(kernel, arguments, buffers,
-                static_cast<std::uint32_t>((served + group - 1) / group));
+                static_cast<std::uint32_t>((served + group - 1) / group), number);
         queued_ += served * work;
         ++work_.launches;
+        ++work_.kernels[number].launches;
+        work_.kernels[number].items += served;
     }
 }
 

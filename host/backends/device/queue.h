@@ -81,6 +81,8 @@ public:
     void watch(std::function<bool()> may_go_on) { may_go_on_ = std::move(may_go_on); }
     // What this queue was asked to do so far.
     const Work& work() const { return work_; }
+    // Measures from now on how long each kernel takes, if the device has a clock for it.
+    virtual void time_kernels() = 0;
 
 protected:
     virtual void enqueue_upload(const Buffer& to, std::span<const std::byte> from,
@@ -89,8 +91,13 @@ protected:
     // Items come in groups of this size.
     virtual std::uint32_t group_size() const = 0;
     virtual std::uint64_t most_groups() const = 0;
+    // `number` is the kernel's, for add_seconds().
     virtual void enqueue(const KernelShape& kernel, std::span<const std::byte> arguments,
-                         std::span<const Buffer> buffers, std::uint32_t groups) = 0;
+                         std::span<const Buffer> buffers, std::uint32_t groups,
+                         std::size_t number) = 0;
+    void add_seconds(std::size_t number, double seconds) {
+        work_.kernels[number].seconds += seconds;
+    }
     // Begins the queued commands. Waits for all, except perhaps those after the last pause.
     virtual void pause() = 0;
     virtual void finish() = 0;
@@ -99,6 +106,7 @@ protected:
 
 private:
     void ask();
+    std::size_t number_of(std::string_view kernel);
 
     std::function<bool()> may_go_on_;
     Work work_;

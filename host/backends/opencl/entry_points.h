@@ -14,6 +14,7 @@
     ENTRY(clCreateContext) ENTRY(clCreateKernel) ENTRY(clCreateProgramWithSource) \
     ENTRY(clEnqueueFillBuffer) ENTRY(clEnqueueNDRangeKernel) ENTRY(clEnqueueReadBuffer) ENTRY(clEnqueueWriteBuffer) \
     ENTRY(clFinish) ENTRY(clFlush) ENTRY(clGetDeviceIDs) ENTRY(clGetDeviceInfo) \
+    ENTRY(clGetEventProfilingInfo) \
     ENTRY(clGetPlatformIDs) ENTRY(clGetPlatformInfo) ENTRY(clGetProgramBuildInfo) \
     ENTRY(clGetProgramInfo) ENTRY(clReleaseCommandQueue) ENTRY(clReleaseContext) \
     ENTRY(clReleaseDevice) ENTRY(clReleaseEvent) ENTRY(clReleaseKernel) \
@@ -64,6 +65,7 @@ std::string why_no_loader();
 #define clEnqueueWriteBuffer lacuna_clEnqueueWriteBuffer
 #define clFinish lacuna_clFinish
 #define clFlush lacuna_clFlush
+#define clGetEventProfilingInfo lacuna_clGetEventProfilingInfo
 #define clGetDeviceIDs lacuna_clGetDeviceIDs
 #define clGetDeviceInfo lacuna_clGetDeviceInfo
 #define clGetPlatformIDs lacuna_clGetPlatformIDs

@@ -67,6 +67,15 @@ public:
     }
     bool runs_in_lockstep() const override { return chunks_ == 0; }
 
+    void time_kernels() override {
+        guard([&] {
+            queue_.finish();
+            queue_ = cl::CommandQueue(device_->context(), device_->device(),
+                                      cl::QueueProperties::Profiling);
+        });
+        times_kernels_ = true;
+    }
+
     void drain() noexcept override {
         try {
             queue_.finish();
@@ -92,7 +101,8 @@ protected:
     }
 
     void enqueue(const KernelShape& shape, std::span<const std::byte> arguments,
-                 std::span<const Buffer> buffers, std::uint32_t groups) override {
+                 std::span<const Buffer> buffers, std::uint32_t groups,
+                 std::size_t number) override {
         if (device_->entry().kind == "cpu" && !has_turn_) {
             device_->turns().take();
             has_turn_ = true;
@@ -105,6 +115,7 @@ protected:
             queue_.enqueueNDRangeKernel(kernel, cl::NullRange,
                                         cl::NDRange(std::size_t{groups} * group_size_),
                                         cl::NDRange(group_size_), nullptr, &last_);
+            if (times_kernels_) launched_.emplace_back(number, last_);
         });
     }
 
@@ -118,7 +129,11 @@ protected:
     }
 
     void finish() override {
-        guard([&] { queue_.finish(); });
+        guard([&] {
+            queue_.finish();
+            for (const auto& [number, launch] : std::exchange(launched_, {}))
+                add_seconds(number, seconds_of(launch));
+        });
         give_turn_back();
         filling_.clear();
         before_pause_ = cl::Event();
@@ -130,6 +145,13 @@ protected:
 private:
     static const cl::Buffer& of(const Buffer& buffer) {
         return *static_cast<const cl::Buffer*>(buffer.handle());
+    }
+
+    static double seconds_of(const cl::Event& launch) {
+        constexpr double kNanosecond = 1e-9;
+        return kNanosecond *
+               static_cast<double>(launch.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
+                                   launch.getProfilingInfo<CL_PROFILING_COMMAND_START>());
     }
 
     // Prefers a source that was used before: a kernel of all modes is in several sources.
@@ -161,7 +183,9 @@ private:
     std::uint32_t chunks_ = 0;  // 0: one for each unit of work
     std::map<std::string_view, cl::Kernel> kernels_;
     cl::Event last_, before_pause_;
-    std::vector<std::vector<std::uint32_t>> filling_;  // uploads of fill() under way
+    bool times_kernels_ = false;
+    std::vector<std::pair<std::size_t, cl::Event>> launched_;  // by kernel, until finish()
+    std::vector<std::vector<std::uint32_t>> filling_;          // uploads of fill() under way
 };
 
 }  // namespace

@@ -8,6 +8,15 @@
 #include "backends/vulkan/shaders.h"
 
 namespace lacuna::vulkan {
+namespace {
+
+double tick_seconds_of(const vk::raii::PhysicalDevice& physical, std::uint32_t family) {
+    constexpr double kNanosecond = 1e-9;
+    if (physical.getQueueFamilyProperties()[family].timestampValidBits == 0) return 0;
+    return kNanosecond * static_cast<double>(physical.getProperties().limits.timestampPeriod);
+}
+
+}  // namespace
 
 Device::Device(std::shared_ptr<const Instance> instance, std::size_t number,
                const Validation* validation)
@@ -17,6 +26,7 @@ Device::Device(std::shared_ptr<const Instance> instance, std::size_t number,
       family_(compute_family(physical_).value()),
       memory_(physical_.getMemoryProperties()),
       most_groups_(physical_.getProperties().limits.maxComputeWorkGroupCount[0]),
+      tick_seconds_(tick_seconds_of(physical_, family_)),
       device_(guarded([&] { return make_device(physical_, family_, validation); })),
       queue_(device_, family_, 0) {}
 

@@ -40,6 +40,8 @@ public:
     std::uint32_t family() const { return family_; }
     const vk::PhysicalDeviceMemoryProperties& memory() const { return memory_; }
     std::uint64_t most_groups() const { return most_groups_; }
+    // The unit of times that its queue writes; 0 if it writes none.
+    double tick_seconds() const { return tick_seconds_; }
 
     // A pipeline is made at its first use; its address stays valid. Like run(), thread-safe.
     const Pipeline& pipeline(const device::KernelShape& kernel);
@@ -68,6 +70,7 @@ private:
     std::uint32_t family_;
     vk::PhysicalDeviceMemoryProperties memory_;
     std::uint64_t most_groups_;
+    double tick_seconds_;
     vk::raii::Device device_;
     vk::raii::Queue queue_;
 

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <deque>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@ using device::KernelShape;
 constexpr std::uint32_t kServedTogether = 32;  // units of work on a processor, see run_of
 constexpr std::uint32_t kSetsPerPool = 64;
 constexpr std::uint32_t kMostBuffers = 16;
+constexpr std::uint32_t kMostTimes = 4096;  // that are measured in one submission, two a launch
 // The least size of a block of the host's memory for transfers, in bytes.
 constexpr std::uint64_t kStagingBytes = std::uint64_t{1} << 22;
 
@@ -75,6 +77,15 @@ public:
         return device().kind == "cpu" ? kServedTogether : 1;
     }
     bool runs_in_lockstep() const override { return true; }
+
+    void time_kernels() override {
+        tick_seconds_ = device_->tick_seconds();
+        if (tick_seconds_ == 0) return;
+        device_->guarded([&] {
+            times_.emplace(device_->handle(),
+                           vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, kMostTimes));
+        });
+    }
     void drain() noexcept override {}  // submit() has waited already
 
 protected:
@@ -103,7 +114,8 @@ protected:
     std::uint64_t most_groups() const override { return device_->most_groups(); }
 
     void enqueue(const KernelShape& kernel, std::span<const std::byte> arguments,
-                 std::span<const Buffer> buffers, std::uint32_t groups) override {
+                 std::span<const Buffer> buffers, std::uint32_t groups,
+                 std::size_t number) override {
         in_use_.insert(in_use_.end(), buffers.begin(), buffers.end());
         const Pipeline& pipeline = pipeline_of(kernel);
         device_->guarded([&] {
@@ -114,7 +126,9 @@ protected:
             commands.bindDescriptorSets(kCompute, *pipeline.layout, 0, set, {});
             commands.pushConstants<std::byte>(*pipeline.layout, vk::ShaderStageFlagBits::eCompute,
                                               0, arguments);
+            write_time(number);
             commands.dispatch(groups, 1, 1);
+            write_time(number);
         });
     }
 
@@ -129,6 +143,7 @@ protected:
     void discard() override {
         device_->guarded([&] { pool_.reset(); });
         is_recording_ = false;
+        timed_.clear();
         let_go();
     }
 
@@ -247,6 +262,27 @@ private:
         return set;
     }
 
+    // Writes the time when all commands so far are done, once before a launch and once after it.
+    // The commands of one submission that are beyond the room for times are not measured.
+    void write_time(std::size_t number) {
+        if (!times_ || timed_.size() == kMostTimes) return;
+        if (timed_.empty()) commands_.resetQueryPool(**times_, 0, kMostTimes);
+        commands_.writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, **times_,
+                                 static_cast<std::uint32_t>(timed_.size()));
+        timed_.push_back(number);
+    }
+
+    void read_times() {
+        if (timed_.empty()) return;
+        const auto count = static_cast<std::uint32_t>(timed_.size());
+        const auto [result, ticks] = times_->getResults<std::uint64_t>(
+            0, count, count * sizeof(std::uint64_t), sizeof(std::uint64_t),
+            vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
+        for (std::size_t i = 1; i < ticks.size(); i += 2)
+            add_seconds(timed_[i], tick_seconds_ * static_cast<double>(ticks[i] - ticks[i - 1]));
+        timed_.clear();
+    }
+
     // Runs what is recorded, and waits for it.
     void submit() {
         device_->guarded([&] {
@@ -255,6 +291,7 @@ private:
             commands_.end();
             is_recording_ = false;
             device_->run(commands_);
+            read_times();
             pool_.reset();
         });
     }
@@ -283,6 +320,10 @@ private:
     Staging up_{Properties{}};
     Staging down_{PropertyBit::eHostCached};
     std::vector<Arriving> arriving_;
+
+    std::optional<vk::raii::QueryPool> times_;  // with time_kernels()
+    std::vector<std::size_t> timed_;            // the kernel of each time that is written
+    double tick_seconds_ = 0;
 };
 
 }  // namespace

@@ -227,21 +227,25 @@ void run(const CommandLine& line, const AnalyzeCommand& options) {
     writing.write();
 }
 
+void take_sides(const std::string& text, std::optional<Domain>& sides) {
+    recipes::read_domain("domain", text, sides.emplace());
+}
+
+void take_ellipse(const std::string& text, std::optional<Ellipse>& ellipse) {
+    ellipse = upright_ellipse_from(text);
+}
+
 // Where the value of each option goes.
 Targets targets_of(AnalyzeCommand& all) {
-    Targets targets{
-        {"FILE", &all.files},
-        {"domain",
-         [&all](const std::string& text) {
-             recipes::read_domain("domain", text, all.sides.emplace());
-         }},
-        {"torus", &all.torus},
-        {"radius", &all.radius},
-        {"stretch", [&all](const std::string& text) { all.ellipse = upright_ellipse_from(text); }},
-        {"max-frequency", &all.effort.max_frequency},
-        {"threads", &all.effort.threads},
-        {"json", &all.json},
-        {"quiet", &all.quiet}};
+    Targets targets{{"FILE", &all.files},
+                    {"domain", take_by<take_sides>(all.sides)},
+                    {"torus", &all.torus},
+                    {"radius", &all.radius},
+                    {"stretch", take_by<take_ellipse>(all.ellipse)},
+                    {"max-frequency", &all.effort.max_frequency},
+                    {"threads", &all.effort.threads},
+                    {"json", &all.json},
+                    {"quiet", &all.quiet}};
     targets.merge(targets_of(all.output));
     return targets;
 }

@@ -43,7 +43,13 @@ points are relaxed only if --relax is given. The host makes a stratified start b
 the relaxing is compared then. The backends take turns, so that a busy machine slows all of them
 alike. The first run of each backend is not timed. It shows only in `first use`, which is its extra
 time: finding devices, building kernels. `memory` is the growth of the program's peak memory in the
-first run.
+first run. The times of the steps of a round come from one more run, in which a device waits for
+each step.
+
+With --work tables come first that say what each device was asked to do in a round of placing
+points: launches of kernels, waits of the host, transfers and their bytes, then the launches and
+items of each kernel and its milliseconds in one run, by the device's clock. These counts are the
+same on every device of a kind, so that they can be compared where times cannot.
 
 Exit code: 0 all points are the same, 1 they differ, 2 bad usage, 3 a file cannot be read or
 written, 4 a backend named with --backends is missing, or all are, or one failed at work, 130
@@ -57,6 +63,7 @@ struct CompareCommand {
     std::uint32_t runs = 5;
     recipes::Given given;
     std::uint32_t relax = 0;  // as `given` says
+    bool work = false;
     std::string json;
     OutputOptions charts;
     bool quiet = false;
@@ -141,7 +148,8 @@ void write(const CompareCommand& options, const std::vector<Output>& charts, con
     for (const Output& chart : charts)
         writing.add(chart.path, [&] { return draw_chart(comparison, *chart.format.medium); });
     if (!has_standard_output(charts) && !is_standard_output(options.json))
-        writing.add("-", [&] { return text_of(comparison); });
+        writing.add(
+            "-", [&] { return (options.work ? work_text(comparison) : "") + text_of(comparison); });
     writing.write();
 }
 
@@ -182,16 +190,18 @@ void run(const CommandLine& line, const CompareCommand& given, const Sampler& sa
     end(options, comparison);
 }
 
+void take_backends(const std::string& text, std::vector<std::string>& backends) {
+    backends = split(text);
+}
+
 // Where the value of each option goes.
 Targets targets_of(CompareCommand& all) {
-    Targets targets{{"IMAGE", &all.picture.path},
-                    {"backends", [&all](const std::string& text) { all.backends = split(text); }},
-                    {"runs", &all.runs},
-                    {"json", &all.json},
-                    {"mode", &all.given.mode},
-                    {"relax", &all.given.relax},
-                    {"quiet", &all.quiet}};
-    add_targets(targets, recipes::targets_of(all.request));
+    Targets targets{
+        {"IMAGE", &all.picture.path}, {"backends", take_by<take_backends>(all.backends)},
+        {"runs", &all.runs},          {"work", &all.work},
+        {"json", &all.json},          {"mode", &all.given.mode},
+        {"relax", &all.given.relax},  {"quiet", &all.quiet}};
+    targets.merge(recipes::targets_of(all.request));
     targets.merge(targets_of(all.picture));
     targets.merge(targets_of(all.charts));
     return targets;

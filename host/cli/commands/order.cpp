@@ -51,11 +51,11 @@ struct OrderCommand {
 void run(const CommandLine& line, const OrderCommand& options) {
     const std::vector<Output> outputs = checked_outputs(options.common, files_read(line));
     pictures::check(options.set.picture.importance);
-    check_drawing(options.drawing, outputs);
+    const DrawingOptions drawing = checked_drawing(line, options.drawing, outputs);
     Interruption interruption;
     Request request = options.common.request;
     const SetAndField given = read_given_set(line, options.set, request);
-    GivenColumns columns(options.set, given, options.drawing, outputs, true);
+    GivenColumns columns(options.set, given, drawing, outputs, true);
     if (given.field) request.field = &*given.field;
     const std::vector<std::uint32_t> order = naming_points(options.set, [&] {
         return progressive_order(given.points, request.field, {request.domain, request.seed});
@@ -68,7 +68,7 @@ void run(const CommandLine& line, const OrderCommand& options) {
     files::PointSet set{points, request.domain};
     columns.add_to(set);
     Writing writing(interruption);
-    write_set(writing, options.drawing, outputs, set, style_of(options.drawing, request.domain),
+    write_set(writing, drawing, outputs, set, style_of(drawing, request.domain),
               [&] { return dots_of(request, points, drawing::Spread::even); });
     if (options.common.quiet || has_standard_output(outputs)) return;
     const std::string summary =

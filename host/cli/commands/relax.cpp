@@ -63,7 +63,6 @@ struct RelaxCommand {
 std::vector<Output> check(const CommandLine& line, const RelaxCommand& options) {
     const std::vector<Output> outputs = checked_outputs(options.common, files_read(line));
     pictures::check(options.set.picture.importance);
-    check_drawing(options.drawing, outputs);
     return outputs;
 }
 
@@ -96,13 +95,14 @@ void sum_up(const RelaxCommand& options, const std::vector<Output>& outputs, con
 
 void run(const CommandLine& line, const RelaxCommand& options) {
     const std::vector<Output> outputs = check(line, options);
+    const DrawingOptions drawing = checked_drawing(line, options.drawing, outputs);
     Interruption interruption;
     CommonOptions common = options.common;
     Request& request = common.request;
     SetAndField given = read_given_set(line, options.set, request);
-    const GivenColumns columns(options.set, given, options.drawing, outputs, false);
+    const GivenColumns columns(options.set, given, drawing, outputs, false);
     const RelaxOptions moves = recipes::relax_options_of(request, options.moves);
-    Made made;
+    Made made{.stopwatch = Stopwatch(!common.report.empty())};
     made.result.points = std::move(given.points);
     if (given.field) request.field = &*given.field;
     const Relaxation relaxation = naming_points(
@@ -111,15 +111,14 @@ void run(const CommandLine& line, const RelaxCommand& options) {
     files::PointSet set{made.result.points, request.domain, made.result.radius};
     set.is_relaxed = true;
     columns.add_to(set);
-    const drawing::Style style = style_of(options.drawing, request.domain);
-    if (!common.quiet)
-        warn_of_ink(options.drawing, request, request.field, set.points.size(), style);
+    const drawing::Style style = style_of(drawing, request.domain);
+    if (!common.quiet) warn_of_ink(drawing, request, request.field, set.points.size(), style);
     Writing writing(interruption);
     if (!common.report.empty())
         writing.add(common.report, [&] {
             return relax_report(json_of(options, request), made, json_of(relaxation));
         });
-    write_set(writing, options.drawing, outputs, set, style,
+    write_set(writing, drawing, outputs, set, style,
               [&] { return dots_of(request, set.points, drawing::Spread::even); });
     sum_up(options, outputs, made, relaxation);
 }
@@ -130,7 +129,7 @@ Targets targets_of(RelaxCommand& all) {
     targets.merge(targets_of(all.set));
     targets.merge(targets_of(all.common));
     targets.merge(targets_of(all.drawing));
-    add_targets(targets, recipes::targets_of(all.moves));
+    targets.merge(recipes::targets_of(all.moves));
     return targets;
 }
 

@@ -163,14 +163,15 @@ void run(const CommandLine& line, const ReproduceCommand& options) {
     if (!all_within) throw CheckFailed();
 }
 
+void take_folder(const std::string& text, std::optional<std::string>& folder) {
+    folder = text;
+}
+
 // Where the value of each option goes.
 Targets targets_of(ReproduceCommand& all) {
-    return {{"WHAT", &all.what},
-            {"output", [&all](const std::string& text) { all.folder = text; }},
-            {"image", &all.image},
-            {"runs", &all.runs},
-            {"smallest-radius", &all.smallest_radius},
-            {"quiet", &all.quiet}};
+    return {
+        {"WHAT", &all.what}, {"output", take_by<take_folder>(all.folder)}, {"image", &all.image},
+        {"runs", &all.runs}, {"smallest-radius", &all.smallest_radius},    {"quiet", &all.quiet}};
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ void run(const CommandLine& line, SampleCommand all) {
     const std::vector<GivenFile> read = files_read(line);
     const std::vector<Output> outputs =
         all.seeds ? checked_outputs(options, *all.seeds, read) : checked_outputs(options, read);
-    check_drawing(all.drawing, outputs);
+    all.drawing = checked_drawing(line, all.drawing, outputs);
     if (!all.domain.classes.given.empty() && !loss_of_columns(outputs).empty())
         throw BadRequest("class", shown(all.domain.classes.given.front()),
                          "the class of each point " + loss_of_columns(outputs));
@@ -127,16 +127,20 @@ void run(const CommandLine& line, SampleCommand all) {
            kept == 0 ? "" : ", " + std::to_string(kept) + " of them kept");
 }
 
+void take_seeds(const std::string& text, std::optional<SeedRange>& seeds) {
+    seeds = read_seeds(text);
+}
+
 // Where the value of each option goes.
 Targets targets_of(SampleCommand& all) {
-    Targets targets{{"seeds", [&all](const std::string& text) { all.seeds = read_seeds(text); }},
+    Targets targets{{"seeds", take_by<take_seeds>(all.seeds)},
                     {"mode", &all.given.mode},
                     {"relax", &all.given.relax},
                     {"ellipse-columns", &all.ellipse_columns}};
     targets.merge(targets_of(all.common));
     targets.merge(targets_of(all.domain));
     targets.merge(targets_of(all.drawing));
-    add_targets(targets, recipes::targets_of(all.moves));
+    targets.merge(recipes::targets_of(all.moves));
     return targets;
 }
 

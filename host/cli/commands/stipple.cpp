@@ -84,16 +84,14 @@ dark or too light as a whole use --auto-levels.
 struct StippleCommand {
     CommonOptions common;  // its request is that of `stipple` once that is settled
     std::string image;     // path
-    DrawingOptions drawing;
     StippleOptions stipple;
+    double pixels_per_inch = DrawingOptions{}.pixels_per_inch;
     bool ellipse_columns = false;
 };
 
 // What the library is to do.
 StippleOptions stipple_options(const StippleCommand& all) {
     StippleOptions options = all.stipple;
-    options.pens = all.drawing.pens;
-    options.paper = paper_of(all.drawing);
     options.measure = !all.common.report.empty();
     return options;
 }
@@ -109,7 +107,6 @@ std::vector<Output> checked_outputs(const CommandLine& line, const StippleComman
                                     const StippleOptions& options) {
     check(options);
     const std::vector<Output> outputs = checked_outputs(all.common, files_read(line));
-    check_drawing(all.drawing, outputs);
     check_ellipse_columns(all.ellipse_columns, outputs);
     if (!options.inks.empty() && !loss_of_columns(outputs).empty())
         throw BadRequest("inks", names_of(options.inks),
@@ -153,11 +150,11 @@ Json report_of_the_rest(const StippleCommand& all, const std::vector<Output>& ou
                         const Stippling& made, Json options) {
     if (has_picture(outputs))
         options.update(
-            {{"dot_size_mm", json_of_pens(all.drawing.pens)},
+            {{"dot_size_mm", json_of_pens(all.stipple.pens)},
              {"paper_mm",
               made.paper ? Json({made.paper->width_mm, made.paper->height_mm}) : Json(nullptr)},
-             {"margin_mm", all.drawing.margin_mm},
-             {"dpi", all.drawing.pixels_per_inch}});
+             {"margin_mm", made.paper ? made.paper->margin_mm : 0},
+             {"dpi", all.pixels_per_inch}});
     Json more{{"request", std::move(options)},
               {"image", {{"columns", made.columns}, {"rows", made.rows}}}};
     if (made.relaxed) {
@@ -195,16 +192,18 @@ std::string path_text(const std::vector<Output>& outputs, const files::PointSet&
 void run(const CommandLine& line, const StippleCommand& all) {
     const StippleOptions options = stipple_options(all);
     const std::vector<Output> outputs = checked_outputs(line, all, options);
+    const DrawingOptions drawing =
+        checked_drawing(line, {options.pens, options.paper, all.pixels_per_inch}, outputs);
     CommonOptions common = all.common;
     Interruption interruption;
-    Made made;
+    Made made{.stopwatch = Stopwatch(!common.report.empty())};
     const Stippling dots = make(common, all.image, options, made);
     const Request& request = common.request = dots.request;
-    if (!common.quiet) warn_of_ink(all.drawing, made.result.points.size(), dots.dots_for_ink);
+    if (!common.quiet) warn_of_ink(drawing, made.result.points.size(), dots.dots_for_ink);
 
     const Json asked = json_of(all, options, dots);
     const files::Origin origin = origin_of(line, request, made.result, asked);
-    drawing::Style style = style_of(all.drawing, request.domain);
+    drawing::Style style = style_of(drawing, request.domain);
     style.for_a_pen = dots.is_for_a_pen;
     files::PointSet set{made.result.points, request.domain, made.result.radius, &origin};
     set.layers = dots.layers;
@@ -215,7 +214,7 @@ void run(const CommandLine& line, const StippleCommand& all) {
         writing.add(common.report, [&] {
             return report_of(request, made, report_of_the_rest(all, outputs, dots, asked));
         });
-    write_set(writing, all.drawing, outputs, set, style, [&] { return dots.diameters; });
+    write_set(writing, drawing, outputs, set, style, [&] { return dots.diameters; });
     sum_up(common, outputs, made, "dot", note_on_count(options, dots),
            path_text(outputs, set, style, dots));
 }
@@ -224,11 +223,11 @@ void run(const CommandLine& line, const StippleCommand& all) {
 Targets targets_of(StippleCommand& all) {
     Targets targets{{"IMAGE", &all.image},
                     {"ellipse-columns", &all.ellipse_columns},
+                    {"dpi", &all.pixels_per_inch},
                     {"report", &all.common.report},
                     {"quiet", &all.common.quiet}};
-    add_targets(targets, recipes::targets_of(all.stipple));
+    targets.merge(recipes::targets_of(all.stipple));
     targets.merge(targets_of(all.common.output));
-    targets.merge(targets_of(all.drawing, true));
     return targets;
 }
 

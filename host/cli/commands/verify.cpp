@@ -245,7 +245,7 @@ Targets targets_of(VerifyCommand& all) {
     Targets targets{{"FILE", &all.files},          {"torus", &all.torus},
                     {"tolerance", &all.tolerance}, {"distances-only", &all.distances_only},
                     {"json", &all.json},           {"quiet", &all.quiet}};
-    add_targets(targets, recipes::targets_of(all.request));
+    targets.merge(recipes::targets_of(all.request));
     targets.merge(targets_of(all.domain));
     return targets;
 }

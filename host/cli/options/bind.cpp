@@ -36,16 +36,13 @@ std::string names_of(const Option& row) {
 }
 
 // An argument has no name that a message could begin with.
-void take(const Option& row, const std::string& text, const Target& target) {
+void take(const Option& row, const std::string& text, const recipes::Target& target) {
     if (row.is_argument() && row.kind == Kind::word && !is_among(text, row.traits.words))
         throw CLI::ValidationError(shown(text) + ": must be " + listed(row.traits.words));
-    if (const auto* const own = std::get_if<recipes::Target>(&target))
-        return recipes::read(row, text, *own);
-    check_word(row, text);
-    std::get<Take>(target)(text);
+    recipes::read(row, text, target);
 }
 
-CLI::Option* add_option(CLI::App& command, const Option& row, const Target& target) {
+CLI::Option* add_option(CLI::App& command, const Option& row, const recipes::Target& target) {
     const std::string help = full_help_of(row);
     if (row.kind == Kind::flag)
         return command

@@ -3,10 +3,7 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <string>
-#include <string_view>
-#include <variant>
 #include <vector>
 
 #include "cli/options/given_files.h"
@@ -20,16 +17,8 @@ class App;
 namespace lacuna::cli {
 
 using recipes::CommandLine;
-
-// Where a value goes: what the library has, or a function that is called with the text.
-using Take = std::function<void(const std::string& text)>;
-using Target = std::variant<recipes::Target, Take>;
-using Targets = std::map<std::string_view, Target>;
-
-// Adds the targets of what the library has.
-inline void add_targets(Targets& targets, const recipes::Targets& more) {
-    targets.insert(more.begin(), more.end());
-}
+using recipes::take_by;
+using recipes::Targets;
 
 // Adds the command with all options that the table gives it; each must have a target, and all that
 // targets refer to must outlive the command. There may be more targets than options. Once the

@@ -25,14 +25,14 @@ Targets targets_of(OutputOptions& output) {
 
 Targets targets_of(CommonOptions& options) {
     Targets targets{{"report", &options.report}, {"quiet", &options.quiet}};
-    add_targets(targets, recipes::targets_of(options.request));
+    targets.merge(recipes::targets_of(options.request));
     targets.merge(targets_of(options.output));
     return targets;
 }
 
 Targets targets_of(Picture& picture) {
     Targets targets{{"metric", &picture.metric}};
-    add_targets(targets, recipes::targets_of(picture.importance));
+    targets.merge(recipes::targets_of(picture.importance));
     return targets;
 }
 
@@ -57,7 +57,7 @@ std::vector<Output> checked_outputs(const CommonOptions& options,
 }
 
 Made make(const CommonOptions& options, recipes::Moves moves) {
-    Made made;
+    Made made{.stopwatch = Stopwatch(!options.report.empty())};
     moves.measure = !options.report.empty();
     ProgressBar bar(options.quiet);
     DriverAtWork driver(options.request.place.backend);

@@ -49,8 +49,8 @@ std::vector<Output> checked_outputs(const CommonOptions& options,
 
 // A set that has been made, and the time it took.
 struct Made {
-    Result result;
-    Stopwatch stopwatch;
+    Result result{};
+    Stopwatch stopwatch;  // times verbs if there is a report
     double seconds = 0;
     std::optional<Relaxed> relaxed{};  // how the points were moved, without the points
 };

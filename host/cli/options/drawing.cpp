@@ -7,16 +7,17 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
 #include "cli/reports/report.h"
 #include "drawing/dot_count.h"
-#include "recipes/read.h"
 
 namespace lacuna::cli {
 namespace {
 
+constexpr const char* kDrawn[] = {"dot-size", "paper-size", "margin", "dpi"};
 constexpr double kMostPixels = 32767;  // that cairo can draw along a side of an image
 // Limits of the dots' ink, as a multiple of the picture's ink; beyond them the user is warned. They
 // are one stop of a photograph: 0.5 looks as if it was exposed twice as long, and 2 as if it was
@@ -50,27 +51,9 @@ std::string text_of(const Pens& pens) {
 
 }  // namespace
 
-Targets targets_of(DrawingOptions& options, bool has_tones) {
-    Targets targets;
-    const auto bind = [&](std::string_view name, const auto& read_text) {
-        targets[name] = [&options, name = std::string(name), read_text](const std::string& text) {
-            options.given.push_back(name);
-            read_text(options, name, text);
-        };
-    };
-    using Text = const std::string&;
-    bind("dot-size", [has_tones](DrawingOptions& all, Text name, Text text) {
-        all.pens = recipes::read_pens(name, text, has_tones);
-    });
-    bind("paper-size", [](DrawingOptions& all, Text name, Text text) {
-        all.paper = recipes::read_paper(name, text);
-    });
-    bind("margin", [](DrawingOptions& all, Text name, Text text) {
-        all.margin_mm = recipes::read_length(name, text, 0);
-    });
-    bind("dpi", [](DrawingOptions& all, Text name, Text text) {
-        recipes::read(name, text, all.pixels_per_inch);
-    });
+Targets targets_of(DrawingOptions& options) {
+    Targets targets{{"dpi", &options.pixels_per_inch}};
+    targets.merge(recipes::targets_of(options.pens, options.paper));
     return targets;
 }
 
@@ -79,33 +62,29 @@ bool has_picture(const std::vector<Output>& outputs) {
                        [](const Output& output) { return output.format.medium.has_value(); });
 }
 
-void check_drawing(const DrawingOptions& options, const std::vector<Output>& outputs) {
+DrawingOptions checked_drawing(const CommandLine& line, DrawingOptions options,
+                               const std::vector<Output>& outputs) {
+    const auto* const given = std::find_if(std::begin(kDrawn), std::end(kDrawn),
+                                           [&](auto name) { return line.has(name); });
+    options.are_given = given != std::end(kDrawn);
     const auto is_text = [](const Output& output) { return output.format.name() == "txt"; };
-    if (!options.given.empty() && std::all_of(outputs.begin(), outputs.end(), is_text))
-        throw BadRequest(options.given.front(), "with --output " + shown(outputs.front().path),
+    const std::string with = "with --output " + shown(outputs.front().path);
+    if (options.are_given && std::all_of(outputs.begin(), outputs.end(), is_text))
+        throw BadRequest(*given, with,
                          "is for pictures, and for files with columns for dots: not for .txt");
-    const auto is_given = [&](const char* name) {
-        return std::find(options.given.begin(), options.given.end(), name) != options.given.end();
-    };
     const auto is_png = [](const Output& output) {
         return output.format.medium == drawing::Medium::png;
     };
-    if (is_given("dpi") && std::none_of(outputs.begin(), outputs.end(), is_png))
-        throw BadRequest("dpi", "with --output " + shown(outputs.front().path), "is for .png");
-    if (options.paper) drawing::check(*paper_of(options));
+    if (line.has("dpi") && std::none_of(outputs.begin(), outputs.end(), is_png))
+        throw BadRequest("dpi", with, "is for .png");
+    if (options.paper) drawing::check(*options.paper);
     check_pixels(options);
-}
-
-std::optional<Paper> paper_of(const DrawingOptions& options) {
-    std::optional<Paper> paper = options.paper;
-    if (paper) paper->margin_mm = options.margin_mm;
-    return paper;
+    return options;
 }
 
 drawing::Style style_of(const DrawingOptions& options, const Domain& domain) {
     drawing::Style style;
-    if (const std::optional<Paper> paper = paper_of(options))
-        style.sheet = drawing::turned(*paper, domain);
+    if (options.paper) style.sheet = drawing::turned(*options.paper, domain);
     style.pixels_per_inch = options.pixels_per_inch;
     return style;
 }
@@ -146,11 +125,11 @@ void write_set(Writing& writing, const DrawingOptions& options, const std::vecto
     if (options.pens && options.pens->least_mm == options.pens->most_mm)
         diameters.assign(set.points.size(),
                          options.pens->least_mm / drawing::millimetres_per_unit(set, style));
-    else if (!options.given.empty() || has_picture(outputs))
+    else if (options.are_given || has_picture(outputs))
         diameters = find_diameters();
     style.diameters = diameters;
     files::Dots dots;
-    if (!options.given.empty()) {
+    if (options.are_given) {
         dots = drawing::dots_of(set, style);
         set.dots = &dots;
     }

@@ -21,25 +21,21 @@ namespace lacuna::cli {
 struct DrawingOptions {
     std::optional<Pens> pens;  // unset: dots have as much ink as the picture
     std::optional<Paper> paper;
-    double margin_mm = 0;
     double pixels_per_inch = drawing::Style{}.pixels_per_inch;
-    std::vector<std::string> given;  // names of the options that were given
+    bool are_given = false;  // any of them, so that files have columns for dots
 };
 
-// `has_tones` allows two sizes of dots, MIN..MAX.
-Targets targets_of(DrawingOptions& options, bool has_tones = false);
+Targets targets_of(DrawingOptions& options);
 
 // "radius", a diameter in mm, or two.
 nlohmann::ordered_json json_of_pens(const std::optional<Pens>& pens);
 
 bool has_picture(const std::vector<Output>& outputs);
 
-// Checks the options before the picture is known. Throws BadRequest, also where a png would have
-// more pixels than cairo can draw.
-void check_drawing(const DrawingOptions& options, const std::vector<Output>& outputs);
-
-// The paper with its margin.
-std::optional<Paper> paper_of(const DrawingOptions& options);
+// The options of a command line, checked before the picture is known. Throws BadRequest, also where
+// a png would have more pixels than cairo can draw.
+DrawingOptions checked_drawing(const CommandLine& line, DrawingOptions options,
+                               const std::vector<Output>& outputs);
 
 // The style for a domain of this shape, without the dots' sizes.
 drawing::Style style_of(const DrawingOptions& options, const Domain& domain);

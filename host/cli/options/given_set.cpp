@@ -90,7 +90,7 @@ GivenColumns::GivenColumns(const GivenSet& set, const SetAndField& given,
     constexpr std::array<std::string_view, 4> kOfDots{"radius", "x_mm", "y_mm", "radius_mm"};
     for (const std::string& name : given.file.other_columns) {
         const bool is_of_dots = std::find(kOfDots.begin(), kOfDots.end(), name) != kOfDots.end();
-        if (is_of_dots && !drawing.given.empty()) continue;
+        if (is_of_dots && drawing.are_given) continue;
         refuse(set, fmt::format("the column {} would be lost: {}", shown(name),
                                 is_of_dots ? "give --dot-size or --paper-size, which make the "
                                              "sizes of dots anew, or a file without it"

@@ -34,14 +34,16 @@ std::optional<Difference> difference_of(const std::vector<Point>& expected,
     return difference;
 }
 
+enum class Run { first, timed, last };
+
 class Comparer {
 public:
     Comparer(const Request& request, const Sampler& sampler, Observer& observer)
         : request_(request), sampler_(sampler), observer_(observer) {}
 
-    void run(Entry& entry, bool is_first) {
+    void run(Entry& entry, Run run) {
         try {
-            run_once(entry, is_first);
+            run_once(entry, run);
         } catch (const Unavailable& error) {
             entry.failure = error.what();
         } catch (const DeviceError& error) {
@@ -58,29 +60,32 @@ public:
     double scale = 0;
 
 private:
-    void run_once(Entry& entry, bool is_first) {
+    void run_once(Entry& entry, Run run) {
         Request request = request_;
         request.place.backend = entry.contestant.backend;
         request.place.device = entry.contestant.device;
         const PeakMemory memory;
-        Stopwatch stopwatch;
+        Stopwatch stopwatch(run == Run::last);
         Observers observers({observer_, stopwatch});
         const Result result = sampled(request, observers);
         const double seconds = stopwatch.seconds_so_far();
         const auto raised = memory.raised_bytes();
         judge(entry, result);
-        if (is_first) {
+        if (run == Run::first) {
             entry.device = result.device;
             entry.points = result.points.size();
             entry.rounds = result.rounds;
             entry.sha256 = files::sha256_of(result.points);
             entry.first_run_seconds = seconds;
             entry.memory_bytes = raised;
-            return;
+            entry.work = result.work;
+        } else if (run == Run::timed) {
+            entry.seconds.push_back(seconds - stopwatch.seconds(Verb::first_use));
+        } else {
+            for (std::size_t i = 0; i < kVerbs.size(); ++i)
+                entry.verb_seconds[i] = stopwatch.seconds(kVerbs[i]);
+            entry.take_seconds_of_kernels(result.work);
         }
-        entry.seconds.push_back(seconds - stopwatch.seconds(Verb::first_use));
-        auto& verbs = entry.verb_seconds.emplace_back();
-        for (std::size_t i = 0; i < kVerbs.size(); ++i) verbs[i] = stopwatch.seconds(kVerbs[i]);
     }
 
     Result sampled(const Request& request, Observer& observer) {
@@ -148,9 +153,13 @@ Comparison compare(const Request& request, const std::vector<Contestant>& contes
         entry.failure = contestant.missing;
     }
     Comparer comparer(request, sampler, observer);
-    for (std::uint32_t i = 0; i <= runs; ++i)
+    const auto run_all = [&](Run run) {
         for (Entry& entry : comparison.entries)
-            if (entry.failure.empty()) comparer.run(entry, i == 0);
+            if (entry.failure.empty()) comparer.run(entry, run);
+    };
+    run_all(Run::first);
+    for (std::uint32_t i = 0; i < runs; ++i) run_all(Run::timed);
+    run_all(Run::last);
     comparison.radius = comparer.radius;
     comparison.scale = comparer.scale;
     return comparison;
@@ -160,14 +169,14 @@ double Entry::first_use_seconds() const {
     return std::max(0.0, first_run_seconds - median_seconds());
 }
 
-double Entry::median_seconds() const {
-    return median(seconds);
+void Entry::take_seconds_of_kernels(const Work& timed) {
+    for (KernelWork& kernel : work.kernels)
+        for (const KernelWork& same : timed.kernels)
+            if (same.name == kernel.name) kernel.seconds = same.seconds;
 }
 
-double Entry::median_seconds(std::size_t verb) const {
-    std::vector<double> values;
-    for (const auto& run : verb_seconds) values.push_back(run[verb]);
-    return median(std::move(values));
+double Entry::median_seconds() const {
+    return median(seconds);
 }
 
 const Entry* Comparison::yardstick() const {

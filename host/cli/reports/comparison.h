@@ -47,7 +47,7 @@ struct Entry {
     std::string failure;     // why runs are missing, or empty
     bool broke_off = false;  // true if it failed at work, false if it could not begin
     std::string device;      // as the result names it
-    // From here to memory_bytes all is of the first run.
+    // From here to `work` all is of the first run.
     std::size_t points = 0;
     std::uint64_t rounds = 0;
     std::string sha256;
@@ -56,14 +56,16 @@ struct Entry {
     // builds kernels, some of which drivers build only at their first launch.
     double first_use_seconds() const;
     std::optional<std::uint64_t> memory_bytes;  // by how much it raised the program's peak
-    std::vector<double> seconds;                // of each run except the first
-    std::vector<std::array<double, kVerbs.size()>> verb_seconds;  // likewise
+    Work work;  // of a device, while it places the points; the seconds are of the last run
+    std::vector<double> seconds;  // of each run except the first and the last
+    // Of the last run, in which devices wait for each verb, and measure each kernel.
+    std::array<double, kVerbs.size()> verb_seconds{};  // by index into kVerbs
     // From the yardstick, in the first run that differs from it.
     std::optional<Difference> difference;
 
     bool has_run() const { return !seconds.empty(); }
     double median_seconds() const;
-    double median_seconds(std::size_t verb) const;  // `verb` is an index into kVerbs
+    void take_seconds_of_kernels(const Work& timed);
 };
 
 struct Comparison {
@@ -77,7 +79,7 @@ struct Comparison {
     bool agree() const;
 };
 
-// Runs every contestant 1 + `runs` times. They take turns, so that a busy machine slows all alike.
+// Runs every contestant 2 + `runs` times. They take turns, so that a busy machine slows all alike.
 // Contestants that are missing or fail keep the reason. Throws what the sampler throws for a
 // request that cannot be met, and Cancelled.
 Comparison compare(const Request& request, const std::vector<Contestant>& contestants,
@@ -86,6 +88,10 @@ Comparison compare(const Request& request, const std::vector<Contestant>& contes
 // A table of times, memory and agreement, a table of seconds by verb, and then the hash of the
 // points and the differences.
 std::string text_of(const Comparison& comparison);
+
+// Tables of what each device was asked to do in a round, in all and by each kernel. Empty if no
+// device took part.
+std::string work_text(const Comparison& comparison);
 
 // The same as JSON, with the seconds of every run.
 std::string json_of(const Comparison& comparison, const Request& request);

@@ -29,12 +29,16 @@ constexpr double kBarHeight = 22;
 constexpr double kBetween = 14;
 constexpr double kBottom = 40;
 
-// The median of each verb. The last entry, first use, is replaced by the time outside of all verbs.
+// The verbs' parts of the median. The last entry, first use, is replaced by the time outside of all
+// verbs. A device that waits for each verb takes longer: the verbs then share the median.
 std::array<double, kVerbs.size()> parts_of(const Entry& entry) {
-    std::array<double, kVerbs.size()> parts{};
-    for (std::size_t i = 0; i + 1 < kVerbs.size(); ++i) parts[i] = entry.median_seconds(i);
+    std::array<double, kVerbs.size()> parts = entry.verb_seconds;
+    parts.back() = 0;
     const double verbs = std::accumulate(parts.begin(), parts.end(), 0.0);
-    parts.back() = std::max(0.0, entry.median_seconds() - verbs);
+    const double all = entry.median_seconds();
+    if (verbs > all)
+        for (double& part : parts) part *= all / verbs;
+    parts.back() = std::max(0.0, all - verbs);
     return parts;
 }
 

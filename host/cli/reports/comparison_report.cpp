@@ -62,7 +62,7 @@ std::string times_table(const Comparison& comparison) {
 }
 
 std::string verbs_table(const Comparison& comparison) {
-    std::string text = fmt::format("{:<10} {:<32}", "median of", "");
+    std::string text = fmt::format("{:<10} {:<32}", "one run", "");
     for (const Verb verb : kVerbs)
         if (verb != Verb::first_use) text += fmt::format(" {:>10}", lacuna::name_of(verb));
     text += '\n';
@@ -71,7 +71,7 @@ std::string verbs_table(const Comparison& comparison) {
         text += fmt::format("{:<10} {:<32}", entry.contestant.backend, name_of(entry));
         for (std::size_t i = 0; i < kVerbs.size(); ++i)
             if (kVerbs[i] != Verb::first_use)
-                text += fmt::format(" {:>10}", milliseconds(entry.median_seconds(i)));
+                text += fmt::format(" {:>10}", milliseconds(entry.verb_seconds[i]));
         text += '\n';
     }
     return text;
@@ -111,6 +111,16 @@ Json json_of(const std::optional<Point>& point) {
     return point ? Json{point->x, point->y} : Json(nullptr);
 }
 
+bool has_work(const Entry& entry) {
+    return entry.has_run() && entry.work.launches != 0;
+}
+
+// A round's share.
+std::string a_round(const Entry& entry, std::uint64_t number) {
+    return fmt::format("{:.1f}", static_cast<double>(number) /
+                                     static_cast<double>(std::max<std::uint64_t>(entry.rounds, 1)));
+}
+
 Json json_of(const Entry& entry, const Entry* yardstick) {
     Json json = {{"backend", entry.contestant.backend}, {"device", name_of(entry)}};
     if (!entry.failure.empty()) json[entry.broke_off ? "failed" : "not_run"] = entry.failure;
@@ -130,8 +140,9 @@ Json json_of(const Entry& entry, const Entry* yardstick) {
     json["seconds"] = entry.seconds;
     for (std::size_t i = 0; i < kVerbs.size(); ++i)
         if (kVerbs[i] != Verb::first_use)
-            json["median_seconds_by_verb"][std::string(lacuna::name_of(kVerbs[i]))] =
-                entry.median_seconds(i);
+            json["seconds_by_verb"][std::string(lacuna::name_of(kVerbs[i]))] =
+                entry.verb_seconds[i];
+    if (entry.work.launches != 0) json["work"] = cli::json_of(entry.work);
     return json;
 }
 
@@ -141,6 +152,31 @@ std::string text_of(const Comparison& comparison) {
     std::string text = times_table(comparison);
     if (comparison.yardstick() != nullptr) text += '\n' + verbs_table(comparison);
     return text + '\n' + verdict(comparison);
+}
+
+std::string work_text(const Comparison& comparison) {
+    constexpr const char* kRow = "{:<10} {:<32} {:>9} {:>9} {:>9} {:>9} {:>12} {:>12}\n";
+    constexpr const char* kKernel = "{:<10} {:<32} {:>9} {:>12} {:>10}\n";
+    std::string text, kernels;
+    for (const Entry& entry : comparison.entries) {
+        if (!has_work(entry)) continue;
+        const Work& work = entry.work;
+        const auto share = [&](std::uint64_t number) { return a_round(entry, number); };
+        text += fmt::format(fmt::runtime(kRow), entry.contestant.backend, name_of(entry),
+                            share(work.launches), share(work.waits), share(work.uploads),
+                            share(work.downloads), share(work.uploaded_bytes),
+                            share(work.downloaded_bytes));
+        for (const KernelWork& kernel : work.kernels)
+            kernels += fmt::format(fmt::runtime(kKernel), entry.contestant.backend, kernel.name,
+                                   share(kernel.launches), share(kernel.items),
+                                   kernel.seconds == 0 ? "-" : milliseconds(kernel.seconds));
+    }
+    if (text.empty()) return text;
+    return fmt::format(fmt::runtime(kRow), "a round", "", "launches", "waits", "uploads",
+                       "downloads", "bytes up", "bytes down") +
+           text + '\n' +
+           fmt::format(fmt::runtime(kKernel), "a round", "kernel", "launches", "items", "one run") +
+           kernels + '\n';
 }
 
 std::string json_of(const Comparison& comparison, const Request& request) {

@@ -60,12 +60,17 @@ Json what_decides(const Request& request, const Result& result) {
 }
 
 Json json_of(const Work& work) {
-    return {{"launches", work.launches},
-            {"waits", work.waits},
-            {"uploads", work.uploads},
-            {"downloads", work.downloads},
-            {"uploaded_bytes", work.uploaded_bytes},
-            {"downloaded_bytes", work.downloaded_bytes}};
+    Json json{{"launches", work.launches},
+              {"waits", work.waits},
+              {"uploads", work.uploads},
+              {"downloads", work.downloads},
+              {"uploaded_bytes", work.uploaded_bytes},
+              {"downloaded_bytes", work.downloaded_bytes},
+              {"kernels", Json::object()}};
+    for (const KernelWork& kernel : work.kernels)
+        json["kernels"][kernel.name] = {
+            {"launches", kernel.launches}, {"items", kernel.items}, {"seconds", kernel.seconds}};
+    return json;
 }
 
 std::string report_of(const Request& request, const Made& made) {

@@ -28,6 +28,8 @@ Json or_null(const std::optional<Value>& value) {
 // The parts of the request that decide which points are made.
 Json what_decides(const Request& request, const Result& result);
 
+// What a device was asked to do, in all and by each kernel.
+Json json_of(const Work& work);
 // The options that turned a picture into importance.
 Json json_of_importance(const pictures::Importance& importance);
 

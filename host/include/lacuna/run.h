@@ -78,10 +78,20 @@ public:
     virtual void begin(Verb) {}
     virtual void end(Verb) {}
     // Whether end() is to be called only when a device has done the verb. Waiting for each verb
-    // slows devices down. Otherwise the time of a round shows in Verb::transfer.
+    // slows devices down. Otherwise the time of a round shows in Verb::transfer. Devices then also
+    // measure their kernels, for KernelWork::seconds.
     virtual bool times_verbs() const { return false; }
     // The first three functions may throw: sample() then ends with that exception. But an exception
     // that end() throws while another one is being handled is lost.
+};
+
+// What a kernel was asked to do.
+struct KernelWork {
+    std::string name{};
+    std::uint64_t launches = 0;
+    std::uint64_t items = 0;  // work items in all launches
+    // By the device's clock, where it has one and Observer::times_verbs() asks for times; else 0.
+    double seconds = 0;
 };
 
 // What the host asked of a device. These numbers depend on the request and the backend, and hardly
@@ -93,6 +103,7 @@ struct Work {
     std::uint64_t downloads = 0;
     std::uint64_t uploaded_bytes = 0;
     std::uint64_t downloaded_bytes = 0;
+    std::vector<KernelWork> kernels{};  // in the order in which they were first launched
     Work& operator+=(const Work& other);
 };
 

@@ -101,7 +101,7 @@ public:
         choose_count();
         place();
         if (options_.keep_inside) drawing::pull_inside(tones_, dots(), style_, made_.result.points);
-        if (tones_.has_inks() || options_.keep_inside) recipes::note_moves(request(), made_.result);
+        if (options_.keep_inside) recipes::note_moves(request(), made_.result);
         if (options_.pen_path) order_for_a_pen();
         find_sizes();
         if (!request().field->stretches.empty())
@@ -142,21 +142,12 @@ private:
     // Places the dots and moves them.
     void place() {
         const recipes::Moves moves{.iterations = made_.iterations, .measure = options_.measure};
-        if (!tones_.has_inks()) {
-            recipes::Made placed = recipes::make(request(), moves, observer_);
-            made_.result = std::move(placed.result);
-            made_.relaxed = std::move(placed.relaxed);
-            return;
-        }
-        InkDots placed = place_inks(drawing::parts_of(tones_), request().seed,
-                                    recipes::relax_options_of(request(), moves), observer_);
-        made_.result.points = std::move(placed.points);
-        made_.result.backend = placed.backend;
-        made_.result.device = placed.device;
-        made_.relaxed.emplace(Relaxed{.lattice_columns = placed.lattice_columns,
-                                      .lattice_rows = placed.lattice_rows,
-                                      .backend = placed.backend,
-                                      .device = placed.device});
+        recipes::Made placed =
+            tones_.has_inks()
+                ? recipes::make_in_inks(request(), drawing::parts_of(tones_), moves, observer_)
+                : recipes::make(request(), moves, observer_);
+        made_.result = std::move(placed.result);
+        made_.relaxed = std::move(placed.relaxed);
     }
 
     // Orders the dots of each ink, or all dots if there is none, along a path of their own.

@@ -13,6 +13,24 @@ void read_inks(const std::string& text, std::vector<Ink>& inks) {
     inks = inks_of(text);
 }
 
+void read_pen(const std::string& text, std::optional<Pens>& pens) {
+    pens = read_pens("dot-size", text, false);
+}
+
+void read_pens_by_tone(const std::string& text, std::optional<Pens>& pens) {
+    pens = read_pens("dot-size", text, true);
+}
+
+void read_sheet(const std::string& text, std::optional<Paper>& paper) {
+    paper = read_paper("paper-size", text);
+}
+
+// The table of options has the paper before its margin.
+void read_margin(const std::string& text, std::optional<Paper>& paper) {
+    const double margin_mm = read_length("margin", text, 0);
+    if (paper) paper->margin_mm = margin_mm;
+}
+
 void read_counts(const std::string& text, std::vector<std::uint64_t>& counts) {
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t comma = std::min(text.find(',', begin), text.size());
@@ -23,6 +41,12 @@ void read_counts(const std::string& text, std::vector<std::uint64_t>& counts) {
 
 }  // namespace
 
+Targets targets_of(std::optional<Pens>& pens, std::optional<Paper>& paper) {
+    return {{"dot-size", take_by<read_pen>(pens)},
+            {"paper-size", take_by<read_sheet>(paper)},
+            {"margin", take_by<read_margin>(paper)}};
+}
+
 Targets targets_of(StippleOptions& options) {
     Targets targets{{"mode", &options.start},
                     {"metric", &options.metric},
@@ -30,9 +54,11 @@ Targets targets_of(StippleOptions& options) {
                     {"inks", take_by<read_inks>(options.inks)},
                     {"black-ink", &options.black_ink},
                     {"ink-counts", take_by<read_counts>(options.ink_counts)},
+                    {"dot-size", take_by<read_pens_by_tone>(options.pens)},
                     {"size-by-tone", &options.size_by_tone},
                     {"keep-inside", &options.keep_inside},
                     {"pen-path", &options.pen_path}};
+    targets.merge(targets_of(options.pens, options.paper));
     targets.merge(targets_of(options.request));
     targets.merge(targets_of(options.tone));
     return targets;

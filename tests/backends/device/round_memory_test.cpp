@@ -32,7 +32,8 @@ protected:
     std::uint32_t group_size() const override { return 1; }
     std::uint64_t most_groups() const override { return 1; }
     void enqueue(const KernelShape&, std::span<const std::byte>, std::span<const Buffer>,
-                 std::uint32_t) override {}
+                 std::uint32_t, std::size_t) override {}
+    void time_kernels() override {}
     void pause() override {}
     void finish() override {}
 

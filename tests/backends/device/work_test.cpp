@@ -120,6 +120,27 @@ TEST_P(DeviceWork, WithARadiusFieldBringsTwoWordsABoxAndTwoASampleDown) {
                                               kReportBytes * (made.work.waits - made.rounds));
 }
 
+TEST_P(DeviceWork, IsThatOfItsKernelsWhichHaveTimesIfTheyAreAskedFor) {
+    const Plan plan = tests::plan_of(0.01, 6, Boundary::torus, 1, 1, Mode::exact);
+    for (const bool are_asked_for : {false, true}) {
+        const auto backend = tests::make_backend(GetParam(), plan);
+        if (are_asked_for) backend->time_verbs();
+        make_set(plan, *backend);
+        const Work work = backend->work();
+        std::uint64_t launches = 0;
+        double seconds = 0;
+        for (const KernelWork& kernel : work.kernels) {
+            launches += kernel.launches;
+            seconds += kernel.seconds;
+            EXPECT_GE(kernel.items, kernel.launches) << kernel.name;
+            const bool is_before_it = kernel.name == "open_lines";
+            EXPECT_EQ(kernel.seconds > 0, are_asked_for && !is_before_it) << kernel.name;
+        }
+        EXPECT_EQ(launches, work.launches);
+        EXPECT_LT(seconds, 60);
+    }
+}
+
 // A card has many items at once, and waits for the longest one.
 TEST_P(DeviceWork, HasNoLoopThatGrowsWithTheSet) {
     // 2,800 rows of the sample grid: 22 tiles a line.
