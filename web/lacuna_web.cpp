@@ -71,7 +71,8 @@ std::vector<Field> fields_of(const Pixels& pixels, const StippleOptions& options
         return {pictures::importance_of(image_of(pixels, pictures::kLuminance), options.tone)};
     pictures::Colours colours{image_of(pixels, {kAll, 0, 0}), image_of(pixels, {0, kAll, 0}),
                               image_of(pixels, {0, 0, kAll})};
-    return pictures::separated(std::move(colours), options.inks, options.tone, kBlackInk);
+    return pictures::separated(std::move(colours), options.inks, options.tone, kBlackInk,
+                               options.paper_colour);
 }
 
 Set set_of(const Request& request, Result result) {
@@ -117,6 +118,7 @@ Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tel
     set.layers = std::move(made.layers);
     set.diameters = std::move(made.diameters);
     set.style.sheet = made.paper;
+    set.style.paper_colour = made.paper_colour;
     set.style.for_a_pen = made.is_for_a_pen;
     set.has_columns = options.paper || options.pens;
     return set;

@@ -21,7 +21,6 @@ namespace {
 
 using drawing::Anchor;
 using drawing::Canvas;
-using drawing::Colour;
 using drawing::Grid;
 using drawing::Plot;
 using drawing::Position;

@@ -42,7 +42,7 @@ Surface surface_of(const Image& image) {
 
 void set_colour(cairo_t* context, Colour colour) {
     constexpr double kMost = 255;
-    cairo_set_source_rgb(context, colour.red / kMost, colour.green / kMost, colour.blue / kMost);
+    cairo_set_source_rgb(context, colour[0] / kMost, colour[1] / kMost, colour[2] / kMost);
 }
 
 void set_clip(cairo_t* context, const Rectangle& box) {

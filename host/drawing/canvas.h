@@ -27,12 +27,6 @@ struct Rectangle {
     double bottom() const { return top + height; }
 };
 
-struct Colour {
-    std::uint8_t red;
-    std::uint8_t green;
-    std::uint8_t blue;
-};
-
 // Colours that colour-blind readers can tell apart (Okabe & Ito 2008).
 inline constexpr Colour kBlue{0x00, 0x72, 0xb2}, kSky{0x56, 0xb4, 0xe9}, kGreen{0x00, 0x9e, 0x73},
     kOrange{0xe6, 0x9f, 0x00}, kVermilion{0xd5, 0x5e, 0x00}, kPurple{0xcc, 0x79, 0xa7};

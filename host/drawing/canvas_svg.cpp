@@ -15,10 +15,6 @@
 namespace lacuna::drawing {
 namespace {
 
-std::string hex_of(Colour colour) {
-    return files::hex_of({colour.red, colour.green, colour.blue});
-}
-
 std::string base64_of(const std::string& bytes) {
     // Base64 takes four letters for three bytes, and OpenSSL adds a zero at the end.
     std::string letters((bytes.size() + 2) / 3 * 4 + 1, '\0');
@@ -49,7 +45,7 @@ public:
     void line(std::span<const Position> positions, const Pen& pen, const Rectangle& clip) override {
         add("<path clip-path=\"url(#{})\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.9g}\" "
             "stroke-linejoin=\"round\"{} d=\"",
-            clip_for(clip), hex_of(pen.colour), pen.width,
+            clip_for(clip), files::hex_of(pen.colour), pen.width,
             pen.dashed ? " stroke-dasharray=\"4 3\"" : "");
         std::string_view step = "M";
         for (const Position& position : positions) {
@@ -71,13 +67,13 @@ public:
     void frame(const Rectangle& box, const Pen& pen) override {
         add("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"none\" "
             "stroke=\"{}\" stroke-width=\"{:.9g}\"/>\n",
-            box.left, box.top, box.width, box.height, hex_of(pen.colour), pen.width);
+            box.left, box.top, box.width, box.height, files::hex_of(pen.colour), pen.width);
     }
 
     void text(Position at, const std::string& utf8, const TextStyle& style) override {
         add("<text x=\"{0:.2f}\" y=\"{1:.2f}\" font-size=\"{2:.9g}\" text-anchor=\"{3}\" "
             "fill=\"{4}\"{5}{6}>{7}</text>\n",
-            at.x, at.y, style.size, name_of(style.anchor), hex_of(style.colour),
+            at.x, at.y, style.size, name_of(style.anchor), files::hex_of(style.colour),
             style.bold ? " font-weight=\"bold\"" : "",
             style.upwards ? fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", at.x, at.y)
                           : "",

@@ -73,9 +73,17 @@ bool Sizing::varies() const {
     return by_tone != 0 || (pens && pens->least_mm != pens->most_mm);
 }
 
+double width_at(const Pens& pens, double importance) {
+    const double wanted = std::lerp(pens.least_mm, pens.most_mm, importance);
+    if (pens.widths_mm.empty()) return wanted;
+    return *std::min_element(pens.widths_mm.begin(), pens.widths_mm.end(), [&](double a, double b) {
+        return std::abs(a - wanted) < std::abs(b - wanted);
+    });
+}
+
 double Sizing::area_at(double importance) const {
     if (!pens) return by_tone == 0 ? 1 : power(importance, by_tone);
-    const double diameter = std::lerp(pens->least_mm, pens->most_mm, importance);
+    const double diameter = width_at(*pens, importance);
     return std::numbers::pi / 4 * diameter * diameter;
 }
 
@@ -113,8 +121,10 @@ std::vector<double> pen_diameters(std::span<const Point> points, const Field& fi
     for (const Point& point : points) {
         ask_after(4);
         const double importance = importance_at(point, field, domain);
-        const double part = std::round(importance / kSizeStep) * kSizeStep;
-        diameters.push_back(std::lerp(pens.least_mm, pens.most_mm, part) / millimetres_per_unit);
+        // Few distinct sizes make short files.
+        const double part =
+            pens.widths_mm.empty() ? std::round(importance / kSizeStep) * kSizeStep : importance;
+        diameters.push_back(width_at(pens, part) / millimetres_per_unit);
     }
     return diameters;
 }

@@ -28,6 +28,9 @@ struct Sizing {
     double area_at(double importance) const;
 };
 
+// The diameter, in mm, of a dot that pens draw where the importance is this.
+double width_at(const Pens& pens, double importance);
+
 // The importance of the pixel in which a point of the domain lies.
 double importance_at(Point point, const Field& field, const Domain& domain);
 

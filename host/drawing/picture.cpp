@@ -21,29 +21,34 @@
 namespace lacuna::drawing {
 namespace {
 
-// Makes the page white and sets black as the colour to draw with.
-Context make_context(cairo_surface_t* surface) {
+void set_colour(cairo_t* context, const Colour& colour) {
+    cairo_set_source_rgb(context, colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
+}
+
+// Gives the page the paper's colour and sets black as the colour to draw with.
+Context make_context(cairo_surface_t* surface, const Style& style) {
     Context context(cairo_create(surface));
     check(cairo_status(context.get()));
-    cairo_set_source_rgb(context.get(), 1, 1, 1);
+    set_colour(context.get(), style.paper_colour);
     cairo_paint(context.get());
     cairo_set_source_rgb(context.get(), 0, 0, 0);
     return context;
 }
 
-// Calls draw(dots, style) for each layer. Inks are transparent: each layer is drawn on its own, in
-// its colour, and multiplies the colours on the page.
+// Calls draw(dots, style) for each layer. Each is drawn on its own, in its colour. Transparent inks
+// multiply the colours on the page, and opaque ones cover them.
 template <class Draw>
-void multiply_layers(cairo_t* context, const files::PointSet& set, const Style& style,
-                     const Draw& draw) {
+void draw_layers(cairo_t* context, const files::PointSet& set, const Style& style,
+                 const Draw& draw) {
     if (set.layers.empty()) return draw(set, style);
     for_each_layer(set, style, [&](std::size_t layer, const auto& part, const Style& its_style) {
-        const auto& [red, green, blue] = set.layers[layer].ink.colour;
+        const Ink& ink = set.layers[layer].ink;
         cairo_push_group(context);
-        cairo_set_source_rgb(context, red / 255.0, green / 255.0, blue / 255.0);
+        set_colour(context, ink.colour);
         draw(part, its_style);
         cairo_pop_group_to_source(context);
-        cairo_set_operator(context, CAIRO_OPERATOR_MULTIPLY);
+        if (!ink.is_opaque_on(style.paper_colour))
+            cairo_set_operator(context, CAIRO_OPERATOR_MULTIPLY);
         cairo_paint(context);
         cairo_set_operator(context, CAIRO_OPERATOR_OVER);
         check(cairo_status(context));
@@ -103,8 +108,8 @@ std::string draw_pdf(const files::PointSet& set, const Style& style) {
         tell(CAIRO_PDF_METADATA_KEYWORDS, seed_text(*set.origin));
     }
     {
-        const Context context = make_context(surface.get());
-        multiply_layers(context.get(), set, style, [&](const auto& part, const Style& its_style) {
+        const Context context = make_context(surface.get(), style);
+        draw_layers(context.get(), set, style, [&](const auto& part, const Style& its_style) {
             if (part.ellipses.empty())
                 fill_circles(context.get(), part, its_style, page);
             else
@@ -140,12 +145,12 @@ std::string draw_png(const files::PointSet& set, const Style& style) {
     };
     // Cairo turns a surface that has only alpha into a grey PNG, which is a third as long. In it
     // opaque is white, and clearing draws black.
-    const bool is_grey = set.layers.empty();
+    const bool is_grey = set.layers.empty() && style.paper_colour == kWhitePaper;
     const Surface surface = checked(cairo_image_surface_create(
         is_grey ? CAIRO_FORMAT_A8 : CAIRO_FORMAT_RGB24, pixels(page.width), pixels(page.height)));
-    const Context context = make_context(surface.get());
+    const Context context = make_context(surface.get(), style);
     if (is_grey) cairo_set_operator(context.get(), CAIRO_OPERATOR_CLEAR);
-    multiply_layers(context.get(), set, style, [&](const auto& part, const Style& its_style) {
+    draw_layers(context.get(), set, style, [&](const auto& part, const Style& its_style) {
         if (part.ellipses.empty())
             stroke_dots(context.get(), part, its_style, page);
         else

@@ -24,8 +24,9 @@ void check(const Paper& paper);
 
 // Options of a picture that do not depend on the set.
 struct Style {
-    std::optional<Paper> sheet;    // none: the page is the domain, its longer side 512 points
-    double pixels_per_inch = 144;  // only for png
+    std::optional<Paper> sheet;  // none: the page is the domain, its longer side 512 points
+    Colour paper_colour = kWhitePaper;
+    double pixels_per_inch = 144;         // only for png
     std::span<const double> diameters{};  // of each dot, in the domain's units; empty: all equal
     // For a plotter's pen. Dots are drawn in their order, not size by size; an svg has no
     // background, because a plotter would take it for a shape.

@@ -26,31 +26,40 @@ std::string svg_metadata(const files::Origin& origin) {
         program_text(origin), in_xml(origin.command), seed_text(origin));
 }
 
-std::string svg_head(const files::PointSet& set, const Page& page, bool is_sheet,
-                     bool has_background) {
+// Programs for plotters would take a rectangle for a shape to draw: on a sheet, and for a pen, the
+// colour of the paper is a property that browsers show.
+std::string svg_head(const files::PointSet& set, const Page& page, const Style& style) {
+    const bool is_sheet = style.sheet.has_value();
+    const bool is_shape = !is_sheet && !style.for_a_pen;
+    const std::string colour =
+        style.paper_colour == kWhitePaper ? "white" : files::hex_of(style.paper_colour);
     std::string head = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<svg xmlns=\"http://www.w3.org/2000/svg\"{3} width=\"{0:.9g}{2}\" height=\"{1:.9g}{2}\" "
-        "viewBox=\"0 0 {0:.9g} {1:.9g}\">\n",
+        "viewBox=\"0 0 {0:.9g} {1:.9g}\"{4}>\n",
         page.width, page.height, is_sheet ? "mm" : "pt",
-        set.layers.empty() ? ""
-                           : " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"");
+        set.layers.empty() ? "" : " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"",
+        is_shape || style.paper_colour == kWhitePaper
+            ? ""
+            : fmt::format(" style=\"background:{}\"", colour));
     if (set.origin != nullptr) head += svg_metadata(*set.origin);
-    if (has_background)
-        head += fmt::format("<rect width=\"{:.9g}\" height=\"{:.9g}\" fill=\"white\"/>\n",
-                            page.width, page.height);
+    if (is_shape)
+        head += fmt::format("<rect width=\"{:.9g}\" height=\"{:.9g}\" fill=\"{}\"/>\n", page.width,
+                            page.height, colour);
     return head;
 }
 
 // The group of a layer's dots. Programs for plotters take the number that begins a label for the
-// layer's number. Inks are transparent, so layers are multiplied.
-std::string group_head(std::span<const files::Layer> layers, std::size_t index) {
+// layer's number. The layers of transparent inks are multiplied.
+std::string group_head(std::span<const files::Layer> layers, std::size_t index,
+                       const Colour& paper) {
     if (layers.empty()) return "<g fill=\"none\" stroke=\"black\" stroke-linecap=\"round\">\n";
     const files::Layer& layer = layers[index];
     return fmt::format(
         "<g inkscape:groupmode=\"layer\" inkscape:label=\"{} {}\" style=\"mix-blend-mode:"
-        "multiply\" fill=\"none\" stroke=\"{}\" stroke-linecap=\"round\">\n",
-        index + 1, layer.ink.name, files::hex_of(layer.ink.colour));
+        "{}\" fill=\"none\" stroke=\"{}\" stroke-linecap=\"round\">\n",
+        index + 1, layer.ink.name, layer.ink.is_opaque_on(paper) ? "normal" : "multiply",
+        files::hex_of(layer.ink.colour));
 }
 
 }  // namespace
@@ -72,7 +81,7 @@ std::string draw_svg(const files::PointSet& set, const Style& style) {
     constexpr double kLongestLine = 0.01, kLargestShare = 0.1;
     const bool is_sheet = style.sheet.has_value();
     const Page page = page_of(set, style, is_sheet ? kMillimetresPerInch / kPointsPerInch : 1);
-    std::string bytes = svg_head(set, page, is_sheet, !is_sheet && !style.for_a_pen);
+    std::string bytes = svg_head(set, page, style);
     const auto draw_dots = [&](std::span<const Point> dots, double diameter) {
         const double width = diameter * page.scale;
         const std::string line =
@@ -86,7 +95,7 @@ std::string draw_svg(const files::PointSet& set, const Style& style) {
         bytes += "\"/>\n";
     };
     for_each_layer(set, style, [&](std::size_t layer, const auto& part, const Style& its_style) {
-        bytes += group_head(set.layers, layer);
+        bytes += group_head(set.layers, layer, style.paper_colour);
         if (part.ellipses.empty())
             for_each_stroke(part, its_style, draw_dots);
         else

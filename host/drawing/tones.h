@@ -5,6 +5,7 @@
 #include <lacuna/inks.h>
 #include <lacuna/lacuna.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,6 +27,10 @@ struct Tones {
     std::vector<files::Layer> layers{};  // the inks and their dots; empty without inks
 
     bool has_inks() const { return !layers.empty(); }
+    // The sizes of dots of ink `k`, which its own pen decides if it has one.
+    Sizing sizing_of(std::size_t k) const;
+    // Whether pens decide how large dots are, in all inks.
+    bool has_pens() const;
     const Field& all() const { return has_inks() ? sum : fields.front(); }
     std::span<const Field> densities() const { return varied.empty() ? fields : varied; }
 };
@@ -34,8 +39,22 @@ struct Tones {
 // sizing must be set before.
 void set_fields(Tones& tones, std::vector<Field> fields, std::span<const Ink> inks = {});
 
+// The layers of a set that pens of several widths draw: of each ink the dots of each pen, which are
+// put in that order, narrow pens first. Empty if there is one pen for all dots of an ink.
+std::vector<files::Layer> layers_of_pens(const Tones& tones, const Domain& domain,
+                                         std::span<Point> points);
+
+// At how many dots, in all, their areas sum to the picture's darkness; 0 without pens.
+double dots_for_ink(const Tones& tones, const Domain& domain, const Style& style);
+
 // The number of dots that suits the picture, in all. Pens need dots for each ink by itself.
 std::uint64_t suiting_count(const Tones& tones, const Domain& domain, const Style& style);
+
+// About how many dots a plotter draws in this time, along the path of each ink.
+std::uint64_t plotted_count(const Tones& tones, const Domain& domain, const Style& style,
+                            const Plotter& plotter, double seconds);
+// About how long it takes for dots and the path between them.
+double seconds_of(const Plotter& plotter, std::size_t dots, double path_mm);
 
 // Gives each ink its share of this number of dots.
 void share_dots(Tones& tones, std::uint64_t dots);

@@ -12,7 +12,7 @@
 
 namespace lacuna::files {
 
-std::string hex_of(const std::array<std::uint8_t, 3>& colour) {
+std::string hex_of(const Colour& colour) {
     return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
 }
 

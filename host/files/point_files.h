@@ -49,7 +49,7 @@ using lacuna::Layer;
 enum class LayersAre { inks, classes };
 
 // Such as #009ee3.
-std::string hex_of(const std::array<std::uint8_t, 3>& colour);
+std::string hex_of(const Colour& colour);
 
 // A set of points, and what is needed to draw it.
 struct PointSet {

@@ -46,6 +46,6 @@ std::vector<Stretch> stretches_along(std::span<const double> darkness, std::size
 
 // The importance of each ink (lacuna/pictures.h). Throws as importance_of() does.
 std::vector<Field> separated(Colours colours, std::span<const Ink> inks, const Importance& options,
-                             double black_ink);
+                             double black_ink, const Colour& paper = kWhitePaper);
 
 }  // namespace lacuna::pictures

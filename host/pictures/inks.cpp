@@ -14,10 +14,10 @@
 #include <utility>
 #include <vector>
 
+#include "recipes/read.h"
+
 namespace lacuna {
 namespace {
-
-using Colour = std::array<std::uint8_t, 3>;
 
 struct Named {
     std::string_view name;
@@ -29,8 +29,9 @@ constexpr std::array<Named, 4> kCmyk{{{"cyan", {0x00, 0x9e, 0xe3}},
                                       {"magenta", {0xe6, 0x00, 0x7e}},
                                       {"yellow", {0xff, 0xed, 0x00}},
                                       {"black", {0x1d, 0x1d, 0x1b}}}};
-constexpr std::array<Named, 12> kPens{{{"black", {0x00, 0x00, 0x00}},
+constexpr std::array<Named, 13> kPens{{{"black", {0x00, 0x00, 0x00}},
                                        {"grey", {0x80, 0x80, 0x80}},
+                                       {"white", {0xff, 0xff, 0xff}},
                                        {"red", {0xe0, 0x10, 0x20}},
                                        {"orange", {0xff, 0x80, 0x00}},
                                        {"yellow", {0xff, 0xed, 0x00}},
@@ -42,15 +43,19 @@ constexpr std::array<Named, 12> kPens{{{"black", {0x00, 0x00, 0x00}},
                                        {"pink", {0xff, 0x80, 0xb0}},
                                        {"brown", {0x80, 0x48, 0x20}}}};
 constexpr std::size_t kMostInks = 16;
-constexpr Colour kWhite{0xff, 0xff, 0xff};
 
-[[noreturn]] void refuse(std::string_view text) {
+std::string names_of_pens() {
     std::string names;
     for (const Named& pen : kPens) names += fmt::format("{}, ", pen.name);
+    return names;
+}
+
+[[noreturn]] void refuse(std::string_view text) {
     throw BadRequest("inks", fmt::format("{:?}", text),
                      fmt::format("must be cmyk, or up to {} different inks separated by commas: "
-                                 "{}#rrggbb or NAME=#rrggbb, and no white one",
-                                 kMostInks, names));
+                                 "{}#rrggbb or NAME=#rrggbb; each may have a pen, "
+                                 "as in black:0.3mm",
+                                 kMostInks, names_of_pens()));
 }
 
 std::optional<Colour> colour_of(std::string_view text) {
@@ -75,6 +80,16 @@ bool is_name(std::string_view name) {
            });
 }
 
+// Takes the width of a pen from the end of `text`, where it follows a colon; 0 without one.
+double take_width(std::string_view& text) {
+    constexpr double kLeast = 0.001;  // mm
+    const std::size_t colon = std::min(text.rfind(':'), text.size());
+    const std::string_view width = text.substr(std::min(colon + 1, text.size()));
+    if (colon == text.size()) return 0;
+    text = text.substr(0, colon);
+    return recipes::read_length("inks", std::string(width), kLeast);
+}
+
 std::optional<Ink> ink_of(std::string_view word) {
     for (const Named& pen : kPens)
         if (pen.name == word) return Ink{std::string(word), pen.colour};
@@ -82,25 +97,38 @@ std::optional<Ink> ink_of(std::string_view word) {
     const std::string_view name = word.substr(0, equals);
     const std::optional<Colour> colour =
         colour_of(equals == std::string_view::npos ? word : word.substr(equals + 1));
-    if (!colour || *colour == kWhite || !is_name(name)) return std::nullopt;
+    if (!colour || !is_name(name)) return std::nullopt;
     return Ink{std::string(name), *colour};
 }
 
 }  // namespace
 
+Colour paper_of(const std::string& text) {
+    const std::optional<Ink> ink =
+        text.find('=') == std::string::npos ? ink_of(text) : std::nullopt;
+    if (!ink)
+        throw BadRequest("paper-colour", fmt::format("{:?}", text),
+                         fmt::format("must be {}or #rrggbb", names_of_pens()));
+    return ink->colour;
+}
+
 std::vector<Ink> inks_of(const std::string& text) {
     std::vector<Ink> inks;
-    if (text == "cmyk") {
-        for (const Named& ink : kCmyk) inks.push_back({std::string(ink.name), ink.colour});
+    std::string_view word = text;
+    if (const double pen_mm = word.starts_with("cmyk") ? take_width(word) : 0; word == "cmyk") {
+        for (const Named& ink : kCmyk) inks.push_back({std::string(ink.name), ink.colour, pen_mm});
         return inks;
     }
     for (std::string_view rest = text;;) {
         const std::size_t comma = rest.find(',');
-        std::optional<Ink> ink = ink_of(rest.substr(0, comma));
+        word = rest.substr(0, comma);
+        const double pen_mm = take_width(word);
+        std::optional<Ink> ink = ink_of(word);
         const auto has_its_name = [&](const Ink& other) { return other.name == ink->name; };
         if (!ink || std::any_of(inks.begin(), inks.end(), has_its_name) || inks.size() == kMostInks)
             refuse(text);
         inks.push_back(std::move(*ink));
+        inks.back().pen_mm = pen_mm;
         if (comma == std::string_view::npos) return inks;
         rest.remove_prefix(comma + 1);
     }

@@ -21,10 +21,10 @@ Field importance_of(const Picture& picture, const Tone& tone) {
 }
 
 std::vector<Field> separate(const Picture& picture, std::span<const Ink> inks, const Tone& tone,
-                            double black_ink) {
+                            double black_ink, const Colour& paper) {
     pictures::check(tone);
     return pictures::separated(pictures::decode_colours(picture.content, picture.name), inks, tone,
-                               black_ink);
+                               black_ink, paper);
 }
 
 }  // namespace lacuna

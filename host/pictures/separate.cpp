@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/polling.h"
+#include "files/parse.h"
 #include "pictures/importance.h"
 
 namespace lacuna::pictures {
@@ -74,18 +75,23 @@ double overlap_of(std::span<const double> amounts) {
 // the part a of the paper. In each channel, let s be the part of the light that an ink absorbs
 // where it covers. The light is 1 - (1 - product over inks of (1 - o a s)) / o. For o = 1 this is
 // the product of 1 - a s, as of inks that lie independently of each other; near 0 it is 1 - sum of
-// a s, as of inks that never overlap. o is overlap_of() the amounts.
+// a s, as of inks that never overlap. o is overlap_of() the amounts. On paper that is not white see
+// light_with(); black replaces no other inks there.
 class Separator {
 public:
-    Separator(std::span<const Ink> inks, double black_ink)
-        : black_ink_(black_ink), black_(inks.size()), amounts_(inks.size()) {
+    Separator(std::span<const Ink> inks, double black_ink, const Colour& paper)
+        : black_ink_(black_ink),
+          black_(inks.size()),
+          is_white_(paper == kWhitePaper),
+          paper_(light_of(paper)),
+          amounts_(inks.size()) {
         for (const Ink& ink : inks) {
-            Light absorbed{};
-            for (std::size_t c = 0; c < absorbed.size(); ++c)
-                absorbed[c] = 1 - linear(ink.colour[c] / 255.0);
+            Light absorbed = light_of(ink.colour);
+            for (double& part : absorbed) part = 1 - part;
             const bool is_black = *std::min_element(absorbed.begin(), absorbed.end()) > kBlack;
-            if (is_black && black_ == inks.size()) black_ = absorbed_.size();
+            if (is_black && black_ == inks.size() && is_white_) black_ = absorbed_.size();
             absorbed_.push_back(absorbed);
+            is_opaque_.push_back(ink.is_opaque_on(paper));
         }
     }
 
@@ -112,6 +118,12 @@ private:
     // overlap much and fewer dots that hardly overlap can print the same dark grey.
     static constexpr double kDark = 0.05;
     static constexpr double kMiddle = 0.5;
+
+    static Light light_of(const Colour& colour) {
+        Light light{};
+        for (std::size_t c = 0; c < light.size(); ++c) light[c] = linear(colour[c] / 255.0);
+        return light;
+    }
 
     bool has_black() const { return black_ != amounts_.size(); }
 
@@ -163,6 +175,13 @@ private:
         double above = 0;
         double below = 0;
         for (std::size_t c = 0; c < wanted.size(); ++c) {
+            if (!is_white_) {
+                const double without = light_with(k, 0, c);
+                const double slope = without - light_with(k, 1, c);
+                above += (without - wanted[c]) * slope;
+                below += slope * slope;
+                continue;
+            }
             double product = 1;
             for (std::size_t other = 0; other < amounts_.size(); ++other)
                 if (other != k) product *= 1 - overlap_ * amounts_[other] * absorbed_[other][c];
@@ -174,18 +193,36 @@ private:
         return below > 0 ? std::clamp(above / below, 0.0, 1.0) : 0;
     }
 
+    // The light of a channel if ink k has this amount, on paper of any colour, over which the inks
+    // are drawn in their order. Let F be the light if each ink lay independently of the others: an
+    // opaque ink of amount a leaves 1 - a of the light below it and adds a of its own, and a
+    // transparent one leaves 1 - a s. Then the light is P + (F - P) / o, where P is the paper's and
+    // F is that of the amounts times o.
+    double light_with(std::size_t k, double amount, std::size_t c) const {
+        double light = paper_[c];
+        for (std::size_t i = 0; i < amounts_.size(); ++i) {
+            const double covered = overlap_ * (i == k ? amount : amounts_[i]);
+            light = is_opaque_[i] ? light * (1 - covered) + covered * (1 - absorbed_[i][c])
+                                  : light * (1 - covered * absorbed_[i][c]);
+        }
+        return paper_[c] + (light - paper_[c]) / overlap_;
+    }
+
     double overlap_ = 1;
     double black_ink_;
-    std::size_t black_;            // the first black ink, or the number of inks if there is none
+    std::size_t black_;  // the first black ink, or the number of inks if there is none
+    bool is_white_;      // the paper
+    Light paper_;
     std::vector<Light> absorbed_;  // the part of the light that each ink absorbs where it covers
+    std::vector<bool> is_opaque_;
     std::vector<double> amounts_;
 };
 
 // Remembers the amounts of colours, because most colours of a picture come again.
 class Remembered {
 public:
-    Remembered(std::span<const Ink> inks, double black_ink)
-        : separator_(inks, black_ink),
+    Remembered(std::span<const Ink> inks, double black_ink, const Colour& paper)
+        : separator_(inks, black_ink, paper),
           inks_(inks.size()),
           colours_(kColours, {-1, -1, -1}),
           amounts_(kColours * inks.size()) {}
@@ -233,7 +270,7 @@ Levels levels_of(Colours& colours, const Importance& options) {
 }  // namespace
 
 std::vector<Field> separated(Colours colours, std::span<const Ink> inks, const Importance& options,
-                             double black_ink) {
+                             double black_ink, const Colour& paper) {
     check(options);
     if (!(black_ink >= 0 && black_ink <= 1))
         throw BadRequest("black-ink", fmt::format("{}", black_ink), "must be 0 to 1");
@@ -247,7 +284,7 @@ std::vector<Field> separated(Colours colours, std::span<const Ink> inks, const I
     const std::size_t pixels = colours.red.luminance.size();
     std::vector<Field> fields(inks.size(), {colours.red.columns, colours.red.rows, {}});
     for (Field& field : fields) field.importance.resize(pixels);
-    Remembered remembered(inks, black_ink);
+    Remembered remembered(inks, black_ink, paper);
     for (std::size_t i = 0; i < pixels; ++i) {
         ask_after();
         const std::span<const double> amounts = remembered.amounts(
@@ -255,8 +292,11 @@ std::vector<Field> separated(Colours colours, std::span<const Ink> inks, const I
         for (std::size_t k = 0; k < inks.size(); ++k) fields[k].importance[i] = amounts[k];
     }
     const auto is_blank = [](const Field& field) { return is_zero_all_over(field.importance); };
-    if (options.min_importance == 0 && std::all_of(fields.begin(), fields.end(), is_blank))
+    if (options.min_importance == 0 && std::all_of(fields.begin(), fields.end(), is_blank)) {
+        if (paper != kWhitePaper)
+            files::refuse(colours.red.name, "needs none of the inks on paper of this colour");
         refuse_blank(colours.red.name, options.invert);
+    }
     for (Field& field : fields) apply_gamma_and_least(field.importance, colours.red.name, options);
     return fields;
 }

@@ -133,10 +133,15 @@ constexpr Row kRows[] = {
      "Lattice steps per least radius (default 10); in exact it changes only the speed (default 1)"},
     {{"inks", "LIST", Kind::text, kStipple},
      "Draws in colour: cmyk, or inks separated by commas: names such as black,red, or #rrggbb, or "
-     "NAME=#rrggbb. All dots together are evenly spread, too; .svg has a layer per ink"},
+     "NAME=#rrggbb, each with its pen if it has one, as in black:0.3mm,red:0.5mm. All dots "
+     "together "
+     "are evenly spread, too; .svg has a layer per ink"},
     {{"black-ink", "X", Kind::number, kStipple},
      "With --inks: how much black replaces other inks that would look grey together, 0 to 1 "
      "(default 0.8)"},
+    {{"paper-colour", "COLOUR", Kind::text, kStipple},
+     "black, #rrggbb or another colour (default white): inks are separated for paper of this "
+     "colour, which pictures show. Inks that are lighter than it are opaque, as of gel pens"},
     {{"ink-counts", "N,N...", Kind::text, kStipple},
      "With --inks: the dots of each ink, in place of --count (default: as much as the picture "
      "needs of each)"},
@@ -193,6 +198,10 @@ constexpr Row kRows[] = {
      "Diameter of dots, such as 0.5mm, or 0.3mm..0.8mm from light to dark; or radius (default): "
      "the ink of all dots is as much as the picture is dark. In .csv .npy .ply .json it adds "
      "columns for dots, as --paper-size does"},
+    {{"pens", "D,D..", Kind::text, kStipple},
+     "Widths of pens, such as 0.3mm,0.5mm,0.8mm: each dot is as wide as one of them, wider where "
+     "it "
+     "is darker, and each pen has a layer of its own"},
     {{"dot-size", "D", Kind::text, kRelax},
      "Diameter of dots, such as 0.5mm; or radius (default): dots have as much ink as the picture "
      "is dark, or are two thirds of the least distance wide. In .csv .npy .ply .json it adds "
@@ -220,6 +229,14 @@ constexpr Row kRows[] = {
      "picture is black no gaps are left"},
     {{"pen-path", "", Kind::flag, kStipple},
      "Orders the dots along a short path for a pen, in every format"},
+    {{"plot-time", "T", Kind::text, kStipple},
+     "As many dots as a plotter draws in this time, such as 90min or 1.5h, in the order of "
+     "--pen-path"},
+    {{"seconds-per-dot", "S", Kind::number, kStipple},
+     "How long the plotter takes to lower and raise the pen (default 0.25, about as an AxiDraw "
+     "V3)"},
+    {{"seconds-per-metre", "S", Kind::number, kStipple},
+     "How long it takes for a metre of the path between dots (default 5)"},
 
     // Looking at sets
     {{"tolerance", "T", Kind::number, kVerify},

@@ -72,6 +72,9 @@ constexpr Pairs kPairs[] = {
     {kStipple, "metric scale limit lines-per-radius round-size mode=cells mode=exact",
      Needs::none_of, "inks", "dots of inks begin stratified"},
     {kStipple, "ink-counts", Needs::none_of, "count", "both give the number of dots"},
+    {kStipple, "pens", Needs::none_of, "dot-size size-by-tone", "both say how large dots are"},
+    {kStipple, "plot-time", Needs::none_of, "count scale limit ink-counts",
+     "both give the number of dots"},
     {kSample | kStipple | kRelax | kOrder, "margin", Needs::one_of, "paper-size",
      "is a margin of the paper"},
 

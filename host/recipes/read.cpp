@@ -82,10 +82,11 @@ constexpr double kLeastDot = 0.001;     // mm
 
 struct Unit {
     std::string_view name;
-    double mm;
+    double size;
 };
 
 constexpr std::array<Unit, 4> kUnits{{{"mm", 1}, {"cm", 10}, {"in", kInch}, {"pt", kPoint}}};
+constexpr std::array<Unit, 3> kTimes{{{"s", 1}, {"min", 60}, {"h", 3600}}};
 
 struct PaperSize {
     double width_mm;
@@ -111,22 +112,22 @@ bool is_same_word(std::string_view a, std::string_view b) {
                       [&](char x, char y) { return lower(x) == lower(y); });
 }
 
-// Takes the unit from the end of `text`.
-std::optional<double> take_unit(std::string_view& text) {
-    for (const Unit& unit : kUnits) {
+// Takes the unit from the end of `text`; returns its size.
+std::optional<double> take_unit(std::string_view& text, std::span<const Unit> units = kUnits) {
+    for (const Unit& unit : units) {
         if (!text.ends_with(unit.name)) continue;
         text.remove_suffix(unit.name.size());
-        return unit.mm;
+        return unit.size;
     }
     return std::nullopt;
 }
 
-// The length in mm that `text` gives in units of `unit_mm`. Unset if `text` is not one number.
-std::optional<double> length_of(std::string_view text, double unit_mm) {
+// What `text` gives in units of this size. Unset if `text` is not one number.
+std::optional<double> length_of(std::string_view text, double unit) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
     double number = 0;
     if (parse_whole_text(text, number) != std::errc{}) return std::nullopt;
-    return number * unit_mm;
+    return number * unit;
 }
 
 void check_length(const std::string& option, const std::string& text, double mm, double least_mm) {
@@ -182,6 +183,16 @@ double read_length(const std::string& option, const std::string& text, double le
     return *mm;
 }
 
+double read_time(const std::string& option, const std::string& text) {
+    std::string_view rest = text;
+    const std::optional<double> unit = take_unit(rest, kTimes);
+    const std::optional<double> seconds = unit ? length_of(rest, *unit) : std::nullopt;
+    if (!seconds || !(*seconds > 0))
+        throw BadRequest(option, shown(text),
+                         "must be a number over 0 and s, min or h, such as 90min or 1.5h");
+    return *seconds;
+}
+
 std::optional<Pens> read_pens(const std::string& option, const std::string& text, bool has_tones) {
     if (text == "radius") return std::nullopt;
     const std::size_t dots = has_tones ? text.find("..") : std::string::npos;
@@ -190,6 +201,19 @@ std::optional<Pens> read_pens(const std::string& option, const std::string& text
     const double most = read_length(option, text.substr(dots + 2), kLeastDot);
     if (!(least <= most)) throw BadRequest(option, shown(text), "the first must not be the larger");
     return Pens{least, most};
+}
+
+Pens read_pens_there_are(const std::string& option, const std::string& text) {
+    std::vector<double> widths;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        widths.push_back(read_length(option, text.substr(begin, comma - begin), kLeastDot));
+        begin = comma + 1;
+    }
+    std::sort(widths.begin(), widths.end());
+    widths.erase(std::unique(widths.begin(), widths.end()), widths.end());
+    const double least = widths.front(), most = widths.back();
+    return {least, most, std::move(widths)};
 }
 
 Paper read_paper(const std::string& option, const std::string& text) {

@@ -31,9 +31,15 @@ void read_sharpen(const std::string& text, Tone& tone);
 // ...) for anything else, and if the length is under least_mm or over 200 in, PDF's limit.
 double read_length(const std::string& option, const std::string& text, double least_mm);
 
+// A time in seconds, over 0, from a number with s, min or h behind it. Throws as read_length does.
+double read_time(const std::string& option, const std::string& text);
+
 // The diameter of dots in such a unit; if `has_tones`, two diameters may have `..` between them.
 // Unset for the word "radius".
 std::optional<Pens> read_pens(const std::string& option, const std::string& text, bool has_tones);
+
+// The widths of pens, with commas between them.
+Pens read_pens_there_are(const std::string& option, const std::string& text);
 
 // A sheet without margins: WIDTHxHEIGHT with one of these units, or A0 to A6, letter, legal or
 // tabloid in any case. Papers given by name may turn. Throws as read_length does; no side may be

@@ -19,7 +19,6 @@ namespace lacuna::reproduce {
 using drawing::Anchor;
 using drawing::Axis;
 using drawing::Canvas;
-using drawing::Colour;
 using drawing::Grid;
 using drawing::Pen;
 using drawing::Plot;

@@ -146,6 +146,7 @@ _KINDS: dict[str, Callable[[str, Any], object]] = {
     "domain": pair,
     "ink_counts": _counts,
     "measure": flag,
+    "paper_colour": text,
     "memory_limit": lambda name, value: whole(name, value, 1, MOST_64),
     "seed": _seed,
     "sharpen": _whole,

@@ -330,18 +330,22 @@ class Stippling(PointSet):
         With ``inks``: the index of each dot's ink, in ascending order.
     inks : dict of str to str, or None
         With ``inks``: the colour of each ink, such as '#009ee3', by its name, in their order.
+    paper_colour : str
+        Of the paper that saved pictures show.
     """
 
     radii: Floats = field(repr=False)
     ink: npt.NDArray[np.uint8] | None = field(repr=False, default=None)
     inks: Mapping[str, str] | None = None
+    paper_colour: str = "white"
 
     def _saved(self) -> dict[str, Any]:
+        saved = {**super()._saved(), "paper_colour": self.paper_colour}
         if self.ink is None or self.inks is None:
-            return super()._saved()
+            return saved
         dots = np.bincount(self.ink, minlength=len(self.inks))
         inks = _core.inks_of(",".join(f"{name}={colour}" for name, colour in self.inks.items()))
-        return {**super()._saved(), "layers": list(zip(inks, dots.tolist()))}
+        return {**saved, "layers": list(zip(inks, dots.tolist()))}
 
     def _radii(self) -> Floats:
         return self.radii

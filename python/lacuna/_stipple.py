@@ -39,6 +39,7 @@ def stipple(
     inks: str | None = None,
     black_ink: SupportsFloat | None = None,
     ink_counts: Sequence[Whole] | None = None,
+    paper_colour: str = "white",
     invert: bool = False,
     black: SupportsFloat = 0.0,
     white: SupportsFloat = 1.0,
@@ -98,6 +99,9 @@ def stipple(
     ink_counts : sequence of int, optional
         The number of dots of each ink, instead of ``n``. By default ``n`` is shared out in
         proportion to how much of each ink the picture needs.
+    paper_colour : str
+        A name such as 'black', or '#rrggbb': inks are separated for paper of this colour. Inks that
+        are lighter than it are opaque, as of gel pens.
     invert : bool
         Bright is dense instead of dark.
     black, white : float
@@ -157,7 +161,7 @@ progress
     """
     asked = options(
         n=n, scale=scale, relax=relax, metric=metric, mode=mode, black_ink=black_ink,
-        ink_counts=ink_counts, invert=invert, black=black, white=white, auto_levels=auto_levels,
+        ink_counts=ink_counts, paper_colour=paper_colour, invert=invert, black=black, white=white, auto_levels=auto_levels,
         gamma=gamma, min_importance=min_importance, sharpen=sharpen, sharpen_amount=sharpen_amount,
         along=along, size_by_tone=size_by_tone, keep_inside=keep_inside, torus=torus, seed=seed,
         limit=limit, lines_per_radius=lines_per_radius, round_size=round_size, backend=backend,
@@ -175,4 +179,5 @@ progress
     iterations = made.pop("iterations")
     said = {"inks": [ink.name for ink in palette]} if palette else {"field": "an array"}
     attributes = set_attributes(made, relax=iterations, **said)
-    return Stippling(**attributes, inks={ink.name: ink.hex for ink in palette} or None)
+    colours = {ink.name: ink.hex for ink in palette} or None
+    return Stippling(**attributes, inks=colours, paper_colour=paper_colour)

@@ -76,6 +76,8 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, const nb::d
     read(saved, "is_relaxed", is_relaxed);
     read(saved, "layers", layers);
     read(saved, "classes", classes);
+    std::string paper_colour = "white";
+    read(saved, "paper_colour", paper_colour);
     Made made = made_of(saved);
     const Unlocked unlocked;
     const files::Format& format = files::format_of(path);
@@ -105,6 +107,7 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, const nb::d
         for (std::size_t i = 0; i < diameters.size(); ++i) diameters[i] = 2 * radii->data()[i];
         drawing::Style style;
         style.diameters = diameters;
+        style.paper_colour = paper_of(paper_colour);
         content = drawing::draw(set, *format.medium, style);
     } else {
         content = files::encode(set, format);

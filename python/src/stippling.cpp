@@ -35,6 +35,8 @@ StippleOptions options_of(const nb::dict& given, const std::vector<Ink>& inks) {
     StippleOptions options{.request = request_of(given), .inks = inks};
     read(given, recipes::targets_of(options));
     read(given, "ink_counts", options.ink_counts);
+    if (given.contains("paper_colour"))
+        options.paper_colour = paper_of(nb::cast<std::string>(given["paper_colour"]));
     read(given, "sharpen", options.tone.sharpen);
     read(given, "sharpen_amount", options.tone.sharpen_amount);
     return options;

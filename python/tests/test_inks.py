@@ -39,6 +39,10 @@ COLOURS[:, 30:] = (0.1, 0.2, 0.9)
             ["--count", 200, "--inks", "cmyk", "--torus", "--auto-levels"],
         ),
         (
+            {"n": 200, "inks": "white,gold=#d4af37", "paper_colour": "black"},
+            ["--count", 200, "--inks", "white,gold=#d4af37", "--paper-colour", "black"],
+        ),
+        (
             {"n": 200, "inks": "cmyk", "keep_inside": True},
             ["--count", 200, "--inks", "cmyk", "--keep-inside"],
         ),
@@ -58,6 +62,9 @@ def test_files_have_layers_and_plots_have_colours(tmp_path: Path) -> None:
     made = lacuna.stipple(COLOURS, 100, inks="red,blue", seed=1)
     made.save(tmp_path / "a.svg")
     svg = (tmp_path / "a.svg").read_text()
+    black = lacuna.stipple(COLOURS, 100, inks="white", paper_colour="black", seed=1)
+    black.save(tmp_path / "b.svg")
+    assert 'fill="#000000"' in (tmp_path / "b.svg").read_text()
     assert 'inkscape:label="1 red"' in svg and 'inkscape:label="2 blue"' in svg
     made.save(tmp_path / "a.csv")
     lines = (tmp_path / "a.csv").read_text().splitlines()

@@ -139,9 +139,9 @@ private:
     void draw_curve(Canvas& canvas, const std::string& name, const std::vector<Measurement>& curve,
                     std::size_t number) const {
         // When colours are used for the second time, curves are dashed; for the third time, thick.
-        constexpr std::array kColours{
-            drawing::Colour{0, 0, 0}, drawing::kBlue, drawing::kVermilion, drawing::kGreen,
-            drawing::kPurple,         drawing::kSky,  drawing::kOrange};
+        constexpr std::array kColours{Colour{0, 0, 0}, drawing::kBlue,   drawing::kVermilion,
+                                      drawing::kGreen, drawing::kPurple, drawing::kSky,
+                                      drawing::kOrange};
         const std::size_t round = number / kColours.size();
         const drawing::Pen pen{kColours[number % kColours.size()], round < 2 ? 1.5 : 3, round == 1};
         std::vector<drawing::Position> line;

@@ -30,9 +30,9 @@ using tests::Call;
 // These take no time that grows with what they are given, or are short for all that they take.
 const std::set<std::string> kShort{"devices",        "distances_by_sum", "distances_by_union",
                                    "expected_count", "inks_of",          "name_of",
-                                   "ask_older",      "domain_around",    "domain_like",
-                                   "check_places",   "read_picture",     "check",
-                                   "claim_of"};
+                                   "paper_of",       "ask_older",        "domain_around",
+                                   "domain_like",    "check_places",     "read_picture",
+                                   "check",          "claim_of"};
 
 double seconds_now() {
     timespec now{};

@@ -73,6 +73,8 @@ TEST(PairsOfOptions, AreRefusedWithTheReason) {
         {kSample, "seeds=0..3 seed=2", "seeds 0..3 with --seed: "},
         {kRelax, "gaussian-distance=1", "gaussian-distance 1 without --gaussian: "},
         {kRelax, "gaussian-distance=1 gaussian=0", "gaussian-distance 1 without --gaussian: "},
+        {kStipple, "IMAGE=a.png pens=1mm dot-size=1mm", "pens 1mm with --dot-size: "},
+        {kStipple, "IMAGE=a.png plot-time=1h scale=1", "plot-time 1h with --scale: "},
         {kOrder, "margin=1cm", "margin 1cm without --paper-size: "},
         {kOrder, "margin=0mm", ""},
         {kVerify, "tolerance=1 distances-only", "tolerance 1 with --distances-only: "},

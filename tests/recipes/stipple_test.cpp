@@ -146,6 +146,88 @@ TEST(Stippling, ForAPenHasTheSameDotsOfEachInkOnAShortPath) {
     EXPECT_LT(path.path_length, path.admitted_length);
 }
 
+// 64 x 64 pixels, from black at the left to white at the right.
+Picture ramp() {
+    std::string pixels = "P2 64 64 63";
+    for (int i = 0; i < 64 * 64; ++i) pixels += ' ' + std::to_string(i % 64);
+    return {pixels, "ramp"};
+}
+
+TEST(Stippling, ForATimeHasAboutAsManyDotsAsAPlotterDrawsInIt) {
+    for (const char* const inks : {"", "red,black,blue"})
+        for (const Plotter plotter : {Plotter{}, Plotter{0, 2}, Plotter{1, 0}}) {
+            StippleOptions options{.paper = Paper{200, 200, 10}, .plotter = plotter};
+            if (*inks != 0) options.inks = inks_of(inks);
+            options.plot_seconds = 20;
+            const Picture& picture = *inks != 0 ? kDrawing : ramp();
+            const Stippling made = stipple(picture, options);
+            EXPECT_TRUE(made.is_for_a_pen);
+            const double metres = made.path_length * 180 / 1000;
+            EXPECT_DOUBLE_EQ(made.plot_seconds,
+                             plotter.seconds_per_metre * metres +
+                                 plotter.seconds_per_dot * double(made.result.points.size()));
+            EXPECT_NEAR(made.plot_seconds, 20, 2) << inks << " " << plotter.seconds_per_dot;
+        }
+}
+
+TEST(Stippling, WithPensHasTheirWidthsAndALayerForEach) {
+    StippleOptions options{
+        .pens = Pens{0.3, 0.8, {0.3, 0.5, 0.8}}, .paper = Paper{60, 60}, .pen_path = true};
+    const Field field = importance_of(ramp());
+    const Stippling made = stipple(ramp(), options);
+    ASSERT_EQ(made.layers.size(), 3U);
+    EXPECT_EQ(made.layers[0].ink.name, "0.3mm");
+    EXPECT_EQ(made.layers[2].ink.pen_mm, 0.8);
+    std::size_t first = 0;
+    double area = 0;
+    for (const Layer& layer : made.layers) {
+        for (std::size_t i = first; i < first + layer.dots; ++i) {
+            EXPECT_NEAR(60 * made.diameters[i], layer.ink.pen_mm, 1e-12);
+            // The nearest width to that of the tone, which falls from 0.8 to 0.3 mm.
+            const double wanted = 0.8 - 0.5 * std::floor(64 * made.result.points[i].x) / 63;
+            EXPECT_LE(std::abs(wanted - layer.ink.pen_mm), 0.15 + 1e-9);
+            area += 3.14159265 / 4 * layer.ink.pen_mm * layer.ink.pen_mm;
+        }
+        first += layer.dots;
+    }
+    EXPECT_EQ(first, made.result.points.size());
+    EXPECT_NEAR(area, 1800, 20) << "half of 60 mm x 60 mm";
+    options.inks = inks_of("red,blue");
+    EXPECT_EQ(stipple(kDrawing, options).layers[3].ink.name, "blue 0.3mm");
+}
+
+TEST(Stippling, InInksWithPensOfTheirOwnHasAsMuchInkOfEachAsThePictureNeeds) {
+    const auto dots = [](const char* inks) {
+        return dots_of(stipple(kDrawing, {.inks = inks_of(inks), .paper = Paper{80, 60}}));
+    };
+    const auto thin = dots("red:0.5mm,blue:0.5mm"), mixed = dots("red:0.5mm,blue:1mm");
+    EXPECT_NEAR(double(mixed[0]), double(thin[0]), 2);
+    EXPECT_NEAR(4 * double(mixed[1]), double(thin[1]), 4);
+    const Stippling made =
+        stipple(kDrawing, {.inks = inks_of("red:0.5mm,blue:1mm"), .paper = Paper{80, 60}});
+    EXPECT_NEAR(80 * made.diameters.front(), 0.5, 1e-12);
+    EXPECT_NEAR(80 * made.diameters.back(), 1, 1e-12);
+}
+
+TEST(Stippling, OnDarkPaperDrawsWhatIsLight) {
+    StippleOptions options = in_inks("white", 400);
+    options.paper_colour = {0, 0, 0};
+    const Stippling made = stipple(ramp(), options);
+    EXPECT_EQ(made.paper_colour, options.paper_colour);
+    // A grey of 8 bits shows its share of light, which is that of sRGB.
+    const std::vector<Field> fields =
+        separate(ramp(), inks_of("white"), {}, kBlackInk, options.paper_colour);
+    EXPECT_EQ(fields[0].importance[0], 0);
+    EXPECT_NEAR(fields[0].importance[32], std::pow((32. / 63 + 0.055) / 1.055, 2.4), 1e-3);
+    EXPECT_NEAR(fields[0].importance[63], 1, 1e-9);
+    // Paper that is hardly not white gives the same inks by the other formula.
+    const auto near = separate(kDrawing, inks_of("red,blue"), {}, 0, {255, 255, 254});
+    const auto white = separate(kDrawing, inks_of("red,blue"), {}, 0);
+    for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t i = 0; i < 12; ++i)
+            EXPECT_NEAR(near[k].importance[i], white[k].importance[i], 0.02) << k << " " << i;
+}
+
 // Pixels of a disk of 20 pixels reach at most 20.7 pixels from the middle of 60 x 60.
 TEST(Stippling, KeepsDotsInsideOfShapesWhateverTheirSizesInksAndOrder) {
     std::string pixels = "P2 60 60 1";
@@ -223,6 +305,13 @@ TEST(Stippling, RefusesWhatCannotBe) {
         {"mode stratified: is a start for --relax", {.start = Mode::stratified, .relax = 0}},
         {"size-by-tone 2: must be 0 to 1", {.size_by_tone = 2}},
         {"size-by-tone 1: is not for a --dot-size", {.size_by_tone = 1, .pens = Pens{1, 1}}},
+        {"inks white: is the colour of the paper, #ffffff, ", {.inks = inks_of("red,white")}},
+        {"paper-colour #202020: is too dark for black dots", {.paper_colour = {32, 32, 32}}},
+        {"pens 0.4mm: must be widths", {.pens = Pens{0.5, 0.6, {0.5, 0.4, 0.6}}}},
+        {"plot-time 60s with --count: both give", {.request = {.count = 9}, .plot_seconds = 60}},
+        {"plot-time 60: needs a plotter", {.plotter = {0, 0}, .plot_seconds = 60}},
+        {"seconds-per-dot -1: must be a finite", {.plotter = {-1, 0}}},
+        {"plot-time 1e+07s: has time for more than 1000000 dots", {.plot_seconds = 1e7}},
         {"margin 60mm: must be less than half of the paper's 105mm", {.paper = postcard}},
         {"gamma 0: must be", {.tone = {.gamma = 0}}},
         {"ink-counts 5: must be 0 for blue: the picture needs none",

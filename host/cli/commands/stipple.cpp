@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/number_text.h"
 #include "cli/options/common_options.h"
 #include "cli/options/domain_options.h"
 #include "cli/options/drawing.h"
@@ -45,6 +46,8 @@ Examples:
   lacuna stipple photo.jpg --scale 0.003 --relax 0 --mode exact -o dots.npy   no gap is left
   lacuna stipple photo.jpg --dot-size 0.5mm --paper-size A6 --margin 8mm --pen-path -o plot.svg
                                                              for a plotter with a pen of 0.5 mm
+  lacuna stipple photo.jpg --dot-size 0.5mm --paper-size A5 --plot-time 1h -o plot.svg
+                                                             as many dots as it draws in an hour
   lacuna stipple density.npy --invert --count 5000 > points.txt       high numbers are dense
 
 The domain is the picture, with a longer side of 1 and y upwards. Importance is 1 where the picture
@@ -127,6 +130,19 @@ Stippling make(const CommonOptions& common, const std::string& image, const Stip
     return stippling;
 }
 
+// The pens of --dot-size or --pens, if no ink has one of its own.
+std::optional<Pens> pens_of_all_inks(const StippleOptions& options) {
+    for (const Ink& ink : options.inks)
+        if (ink.pen_mm != 0) return std::nullopt;
+    return options.pens;
+}
+
+Json json_of(const Ink& ink) {
+    Json json{{"name", ink.name}, {"colour", files::hex_of(ink.colour)}};
+    if (ink.pen_mm != 0) json["pen_mm"] = ink.pen_mm;
+    return json;
+}
+
 // The options that decide the dots, for files and the report.
 Json json_of(const StippleCommand& all, const StippleOptions& options, const Stippling& made) {
     Json json{{"image", all.image}};
@@ -134,10 +150,11 @@ Json json_of(const StippleCommand& all, const StippleOptions& options, const Sti
     json["relax"] = made.iterations;
     if (!options.inks.empty()) {
         json["inks"] = Json::array();
-        for (const Ink& ink : options.inks)
-            json["inks"].push_back({{"name", ink.name}, {"colour", files::hex_of(ink.colour)}});
+        for (const Ink& ink : options.inks) json["inks"].push_back(json_of(ink));
         json["black_ink"] = options.black_ink.value_or(kBlackInk);
     }
+    if (options.paper_colour != kWhitePaper)
+        json["paper_colour"] = files::hex_of(options.paper_colour);
     if (!options.ink_counts.empty()) json["ink_counts"] = options.ink_counts;
     json["pen_path"] = options.pen_path;
     if (options.keep_inside) json["keep_inside"] = true;
@@ -165,6 +182,7 @@ Json report_of_the_rest(const StippleCommand& all, const std::vector<Output>& ou
     if (made.is_for_a_pen)
         more["pen_path"] = {{"length", made.path_length},
                             {"length_as_admitted", made.admitted_length}};
+    if (made.plot_seconds != 0) more["plot_seconds"] = made.plot_seconds;
     return more;
 }
 
@@ -174,26 +192,27 @@ std::string note_on_count(const StippleOptions& options, const Stippling& made) 
     for (const Layer& layer : made.layers)
         text += fmt::format("{}{} {}", text.empty() ? " (" : ", ", layer.ink.name, layer.dots);
     if (!text.empty()) return text + ")";
-    return options.request.count || options.request.scale
+    return options.request.count || options.request.scale || options.plot_seconds
                ? ""
                : " (chosen for the picture: --count gives another number)";
 }
 
-// The length of the pen's path, for the summary.
-std::string path_text(const std::vector<Output>& outputs, const files::PointSet& set,
+// For the summary of a run with a pen: the length of its path, and how long a plotter takes.
+std::string plot_text(const StippleOptions& options, const files::PointSet& set,
                       const drawing::Style& style, const Stippling& made) {
-    if (!made.is_for_a_pen) return "";
-    if (!has_picture(outputs))
-        return fmt::format(", pen path {:.4g} longer sides", made.path_length);
-    return fmt::format(", pen path {:.2f} m",
-                       made.path_length * drawing::millimetres_per_unit(set, style) / 1000);
+    if (made.plot_seconds == 0) return "";
+    return fmt::format(", pen path {:.2f} m{}, about {} at {:.3g} s a dot and {:.3g} s a metre",
+                       made.path_length * drawing::millimetres_per_unit(set, style) / 1000,
+                       made.is_for_a_pen ? "" : " (shorter with --pen-path)",
+                       time_text(made.plot_seconds), options.plotter.seconds_per_dot,
+                       options.plotter.seconds_per_metre);
 }
 
 void run(const CommandLine& line, const StippleCommand& all) {
     const StippleOptions options = stipple_options(all);
     const std::vector<Output> outputs = checked_outputs(line, all, options);
-    const DrawingOptions drawing =
-        checked_drawing(line, {options.pens, options.paper, all.pixels_per_inch}, outputs);
+    const DrawingOptions drawing = checked_drawing(
+        line, {pens_of_all_inks(options), options.paper, all.pixels_per_inch}, outputs);
     CommonOptions common = all.common;
     Interruption interruption;
     Made made{.stopwatch = Stopwatch(!common.report.empty())};
@@ -204,6 +223,7 @@ void run(const CommandLine& line, const StippleCommand& all) {
     const Json asked = json_of(all, options, dots);
     const files::Origin origin = origin_of(line, request, made.result, asked);
     drawing::Style style = style_of(drawing, request.domain);
+    style.paper_colour = options.paper_colour;
     style.for_a_pen = dots.is_for_a_pen;
     files::PointSet set{made.result.points, request.domain, made.result.radius, &origin};
     set.layers = dots.layers;
@@ -216,7 +236,7 @@ void run(const CommandLine& line, const StippleCommand& all) {
         });
     write_set(writing, drawing, outputs, set, style, [&] { return dots.diameters; });
     sum_up(common, outputs, made, "dot", note_on_count(options, dots),
-           path_text(outputs, set, style, dots));
+           plot_text(options, set, style, dots));
 }
 
 // Where the value of each option goes.

@@ -17,7 +17,7 @@
 namespace lacuna::cli {
 namespace {
 
-constexpr const char* kDrawn[] = {"dot-size", "paper-size", "margin", "dpi"};
+constexpr const char* kDrawn[] = {"dot-size", "pens", "paper-size", "margin", "dpi"};
 constexpr double kMostPixels = 32767;  // that cairo can draw along a side of an image
 // Limits of the dots' ink, as a multiple of the picture's ink; beyond them the user is warned. They
 // are one stop of a photograph: 0.5 looks as if it was exposed twice as long, and 2 as if it was
@@ -100,9 +100,11 @@ void warn_of_ink(const DrawingOptions& options, std::size_t count, double suits)
     const std::string size = pens.least_mm == pens.most_mm
                                  ? fmt::format("{:.2g}mm", pens.least_mm)
                                  : fmt::format("{:.2g}mm..{:.2g}mm", pens.least_mm, pens.most_mm);
-    std::fputs(fmt::format("lacuna: {} dots of {} have {} % of the picture's ink: about {} dots, "
-                           "or --dot-size {}, would suit\n",
-                           count, text_of(*options.pens), percent, to_three_digits(suits), size)
+    const std::string or_else =
+        options.pens->widths_mm.empty() ? fmt::format(", or --dot-size {},", size) : "";
+    std::fputs(fmt::format("lacuna: {} dots of {} have {} % of the picture's ink: about {} dots{} "
+                           "would suit\n",
+                           count, text_of(*options.pens), percent, to_three_digits(suits), or_else)
                    .c_str(),
                stderr);
 }
@@ -116,6 +118,7 @@ void warn_of_ink(const DrawingOptions& options, const Request& request, const Fi
 Json json_of_pens(const std::optional<Pens>& pens) {
     if (!pens) return "radius";
     if (pens->least_mm == pens->most_mm) return pens->least_mm;
+    if (!pens->widths_mm.empty()) return pens->widths_mm;
     return {pens->least_mm, pens->most_mm};
 }
 

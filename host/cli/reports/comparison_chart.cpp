@@ -14,7 +14,6 @@ namespace {
 
 using drawing::Anchor;
 using drawing::Canvas;
-using drawing::Colour;
 using drawing::Rectangle;
 
 // The verbs' colours. The last is for time outside of all verbs.

@@ -22,11 +22,21 @@
 
 namespace LACUNA_API lacuna {
 
+using Colour = std::array<std::uint8_t, 3>;  // red, green and blue, in sRGB
+inline constexpr Colour kWhitePaper{255, 255, 255};
+
 // An ink, or a pen.
 struct Ink {
     std::string name{};
-    std::array<std::uint8_t, 3> colour{};  // of the ink on white paper, in sRGB
+    Colour colour{};    // on white paper; of an opaque ink, on any paper
+    double pen_mm = 0;  // the width of the pen that draws it; 0: not given
     friend bool operator==(const Ink&, const Ink&) = default;
+
+    // Whether the ink counts as opaque: it is lighter than the paper in some channel. Other inks
+    // are transparent: the light of paper is multiplied by theirs.
+    bool is_opaque_on(const Colour& paper) const {
+        return colour[0] > paper[0] || colour[1] > paper[1] || colour[2] > paper[2];
+    }
 };
 
 // How many dots of a set an ink has, or a class of points that is drawn in a colour.

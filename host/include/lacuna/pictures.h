@@ -73,9 +73,11 @@ Field importance_of(const Picture& picture, const Tone& tone = {});
 Field ellipse_field(std::uint32_t columns, std::uint32_t rows, std::span<const Ellipse> ellipses);
 
 // The inks that a text names: "cmyk", or up to 16 of #rrggbb, NAME=#rrggbb or one of the names
-// black, grey, red, orange, yellow, green, cyan, blue, purple, magenta, pink and brown, separated
-// by commas. Throws BadRequest.
+// black, grey, white, red, orange, yellow, green, cyan, blue, purple, magenta, pink and brown,
+// separated by commas; each may have the width of its pen, as in red:0.5mm. Throws BadRequest.
 std::vector<Ink> inks_of(const std::string& text);
+// The colour of paper that a text names: one of these names or #rrggbb. Throws BadRequest.
+Colour paper_of(const std::string& text);
 
 // How much black ink replaces the other inks where these together would look grey, from 0 to 1.
 inline constexpr double kBlackInk = 0.8;
@@ -83,8 +85,10 @@ inline constexpr double kBlackInk = 0.8;
 // The importance of each ink, 0 to 1: the part of the paper that its dots are to cover. It is the
 // least-squares solution in linear light for dots that place_inks() places. Channels are decoded as
 // sRGB after the tone's levels; gamma and min_importance change the inks' importance. An ink that
-// is nowhere needed has a field of zeros. Throws what importance_of throws.
+// is nowhere needed has a field of zeros. Inks that are opaque on the paper cover it and the inks
+// before them. Throws what importance_of throws.
 std::vector<Field> separate(const Picture& picture, std::span<const Ink> inks,
-                            const Tone& tone = {}, double black_ink = kBlackInk);
+                            const Tone& tone = {}, double black_ink = kBlackInk,
+                            const Colour& paper = kWhitePaper);
 
 }  // namespace lacuna

@@ -29,6 +29,9 @@ namespace LACUNA_API lacuna {
 struct Pens {
     double least_mm = 0;
     double most_mm = 0;
+    // The pens there are, by their widths, ascending from least_mm to most_mm. Each dot is as wide
+    // as one of them, and each pen has a layer of its own. Empty: dots may have any width between.
+    std::vector<double> widths_mm{};
     friend bool operator==(const Pens&, const Pens&) = default;
 };
 
@@ -38,6 +41,12 @@ struct Paper {
     double height_mm = 0;
     double margin_mm = 0;
     bool may_turn = false;  // to landscape, if the picture is wider than high
+};
+
+// How fast a plotter is. The default is about that of an AxiDraw V3 as it comes.
+struct Plotter {
+    double seconds_per_dot = 0.25;  // to lower and raise the pen
+    double seconds_per_metre = 5;   // of its path between dots
 };
 
 struct StippleOptions {
@@ -66,13 +75,19 @@ struct StippleOptions {
     // How much of the tone is in the dots' sizes, 0 to 1: areas are proportional to importance to
     // this power, and dots as dense as importance over area.
     double size_by_tone = 0;
-    // Dots as pens draw them. Unset: the dots' ink is as much as the picture is dark.
+    // Dots as pens draw them, in inks that have no pen of their own (Ink::pen_mm). Unset: the dots'
+    // ink is as much as the picture is dark.
     std::optional<Pens> pens{};
     std::optional<Paper> paper{};  // unset: the page is the picture, its longer side 512 points
+    Colour paper_colour = kWhitePaper;  // inks are separated for it, and pictures show it
     // Keeps dots off white and in the picture: dots that overhang an edge are moved inwards, and in
     // a shape narrower than a dot they are made smaller, but not smaller than a pen.
     bool keep_inside = false;
     bool pen_path = false;  // orders the dots of each ink along a short path
+    Plotter plotter{};
+    // In place of a count: about as many dots as the plotter draws in this time along that path,
+    // in which they are ordered then.
+    std::optional<double> plot_seconds{};
 
     bool measure = false;  // fill in Relaxed::evenness, as RelaxOptions::measure does
 };
@@ -86,19 +101,22 @@ struct Stippling {
     Result result{};
     std::vector<double> diameters{};   // of each dot, in the domain's unit
     std::vector<Ellipse> ellipses{};   // of each dot, with Tone::along
-    std::vector<Layer> layers{};       // the inks and their dots; empty: black
+    std::vector<Layer> layers{};       // the inks, or pens, and their dots; empty: black
     std::uint32_t iterations = 0;      // how often the dots were moved
     std::optional<Relaxed> relaxed{};  // how, without the points
     std::optional<Paper> paper{};      // as it lies for this picture
-    bool is_for_a_pen = false;         // StippleOptions::pen_path
+    Colour paper_colour = kWhitePaper;
+    bool is_for_a_pen = false;  // whether dots were ordered along a path
 
     std::uint32_t columns = 0;  // of the picture, in pixels
     std::uint32_t rows = 0;
     // With pens: how many dots would have the picture's ink. 0 if sizes differ and there are inks.
     double dots_for_ink = 0;
-    // Length of the pen's path, in the domain's unit: in the dots' order, and in that of admission.
+    // With pens or a pen's path: its length, in the domain's unit, in the dots' order and in that
+    // of admission, and about how long a plotter takes for the dots and the path between them.
     double path_length = 0;
     double admitted_length = 0;
+    double plot_seconds = 0;
 };
 
 // Throws BadRequest for options that stipple() refuses with every picture.

@@ -18,8 +18,9 @@ std::vector<Field> importance_for(const Picture& picture, const StippleOptions& 
         fields.push_back(importance_of(
             decode_image(picture.content, picture.name, kMaxPixels, kLargestAspect), options.tone));
     else
-        fields = separated(decode_colours(picture.content, picture.name, kLargestAspect),
-                           options.inks, options.tone, options.black_ink.value_or(kBlackInk));
+        fields =
+            separated(decode_colours(picture.content, picture.name, kLargestAspect), options.inks,
+                      options.tone, options.black_ink.value_or(kBlackInk), options.paper_colour);
     return fields;
 }
 

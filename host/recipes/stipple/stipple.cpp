@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <numeric>
@@ -17,6 +18,7 @@
 #include "drawing/page.h"
 #include "drawing/pen/pen_path.h"
 #include "drawing/tones.h"
+#include "files/point_files.h"
 #include "pictures/importance.h"
 #include "plan/checked_request.h"
 #include "recipes/make.h"
@@ -43,16 +45,64 @@ recipes::CommandLine line_of(StippleOptions options) {
     if (!options.inks.empty()) line.given.push_back({"inks", {options.inks.front().name}});
     if (!options.ink_counts.empty())
         line.given.push_back({"ink-counts", {std::to_string(options.ink_counts.front())}});
+    if (options.plot_seconds)
+        line.given.push_back({"plot-time", {shortest(*options.plot_seconds) + "s"}});
     return line;
 }
 
+// Whether dark dots show on the paper: the brightness of its colour.
+bool is_dark(const Colour& paper) {
+    constexpr int kDark = 96;
+    return std::max({paper[0], paper[1], paper[2]}) < kDark;
+}
+
 void check_inks(const StippleOptions& options) {
+    const std::string paper = files::hex_of(options.paper_colour);
+    for (const Ink& ink : options.inks)
+        if (ink.colour == options.paper_colour)
+            throw BadRequest("inks", ink.name,
+                             "is the colour of the paper, " + paper +
+                                 ", where it would not show: see --paper-colour");
+    if (options.inks.empty() && is_dark(options.paper_colour))
+        throw BadRequest("paper-colour", paper,
+                         "is too dark for black dots: give --inks, such as white");
     const auto& counts = options.ink_counts;
     if (counts.empty()) return;
     if (counts.size() != options.inks.size())
         throw BadRequest("ink-counts", fmt::format("{} numbers", counts.size()),
                          fmt::format("must be one for each ink, {}", options.inks.size()));
     if (sum_of(counts) == 0) throw BadRequest("ink-counts", "0", "must not be 0 for all inks");
+}
+
+void check_pens(const StippleOptions& options) {
+    const auto refuse_unless = [](bool is_allowed, const char* option, double mm) {
+        if (!is_allowed)
+            throw BadRequest(option, shortest(mm) + "mm",
+                             "must be widths over 0, in ascending order");
+    };
+    for (const Ink& ink : options.inks)
+        refuse_unless(ink.pen_mm >= 0 && std::isfinite(ink.pen_mm), "inks", ink.pen_mm);
+    if (!options.pens) return;
+    const auto& [least, most, widths] = *options.pens;
+    refuse_unless(least > 0, "pens", least);
+    refuse_unless(least <= most && std::isfinite(most), "pens", most);
+    for (std::size_t i = 0; i < widths.size(); ++i)
+        refuse_unless(widths[i] >= (i == 0 ? least : widths[i - 1]) && widths[i] <= most, "pens",
+                      widths[i]);
+}
+
+void check_plotter(const StippleOptions& options) {
+    const auto check = [](const char* name, double seconds) {
+        if (!(seconds >= 0 && std::isfinite(seconds)))
+            throw BadRequest(name, shortest(seconds), "must be a finite number of at least 0");
+    };
+    check("seconds-per-dot", options.plotter.seconds_per_dot);
+    check("seconds-per-metre", options.plotter.seconds_per_metre);
+    if (!options.plot_seconds) return;
+    check("plot-time", *options.plot_seconds);
+    if (options.plotter.seconds_per_dot == 0 && options.plotter.seconds_per_metre == 0)
+        throw BadRequest("plot-time", shortest(*options.plot_seconds),
+                         "needs a plotter that takes more than 0 seconds");
 }
 
 // A stippling without dots: its request has the mode and the metric.
@@ -68,6 +118,8 @@ Stippling settled(const StippleOptions& options) {
         throw BadRequest("size-by-tone", shortest(options.size_by_tone),
                          "is not for a --dot-size in mm; give two, such as 0.3mm..0.8mm");
     if (options.paper) drawing::check(*options.paper);
+    check_pens(options);
+    check_plotter(options);
     const recipes::Given given{.is_picture = true,
                                .has_inks = !options.inks.empty(),
                                .has_ellipses = has_ellipses(options),
@@ -76,7 +128,8 @@ Stippling settled(const StippleOptions& options) {
                                .relax = options.relax};
     Stippling made{.request = options.request};
     made.iterations = recipes::relax_of(given);
-    made.is_for_a_pen = options.pen_path;
+    made.paper_colour = options.paper_colour;
+    made.is_for_a_pen = options.pen_path || options.plot_seconds;
     recipes::settle(given, made.request);
     recipes::check_moves(made.request, {.iterations = made.iterations});
     return made;
@@ -102,12 +155,17 @@ public:
         place();
         if (options_.keep_inside) drawing::pull_inside(tones_, dots(), style_, made_.result.points);
         if (options_.keep_inside) recipes::note_moves(request(), made_.result);
-        if (options_.pen_path) order_for_a_pen();
+        layers_ = tones_.layers;
+        if (auto pens = drawing::layers_of_pens(tones_, request().domain, made_.result.points);
+            !pens.empty())
+            layers_ = std::move(pens);
+        if (made_.is_for_a_pen) order_for_a_pen();
+        if (made_.is_for_a_pen || tones_.has_pens()) time_the_plot();
         find_sizes();
         if (!request().field->stretches.empty())
             made_.ellipses = ellipses_of(made_.result.points, *request().field, made_.result.scale,
                                          request().domain);
-        made_.layers = tones_.layers;
+        made_.layers = std::move(layers_);
         request().field = nullptr;
     }
 
@@ -116,7 +174,7 @@ private:
 
     files::PointSet dots() {
         files::PointSet set{made_.result.points, request().domain};
-        set.layers = tones_.layers;
+        set.layers = layers_;
         return set;
     }
 
@@ -125,6 +183,9 @@ private:
         const auto& counts = options_.ink_counts;
         if (!counts.empty())
             request().count = sum_of(counts);
+        else if (options_.plot_seconds)
+            request().count = drawing::plotted_count(tones_, request().domain, style_,
+                                                     options_.plotter, *options_.plot_seconds);
         else if (!request().count && !request().scale)
             request().count = drawing::suiting_count(tones_, request().domain, style_);
         if (!tones_.has_inks()) return;
@@ -161,22 +222,26 @@ private:
         std::vector<Point> ordered;
         ordered.reserve(count);
         drawing::for_each_layer(dots(), {}, [&](std::size_t, const auto& part, const auto&) {
-            const std::size_t first = ordered.size();
             for (const std::uint32_t index : pen::pen_path(part.points, may_go_on))
                 ordered.push_back(part.points[index]);
             made_.admitted_length += pen::path_length(part.points);
-            made_.path_length += pen::path_length(std::span(ordered).subspan(first));
         });
         made_.result.points = std::move(ordered);
         observer_.end(Verb::pen_path);
     }
 
+    void time_the_plot() {
+        drawing::for_each_layer(dots(), {}, [&](std::size_t, const auto& part, const auto&) {
+            made_.path_length += pen::path_length(part.points);
+        });
+        if (!made_.is_for_a_pen) made_.admitted_length = made_.path_length;
+        made_.plot_seconds =
+            drawing::seconds_of(options_.plotter, made_.result.points.size(),
+                                made_.path_length * drawing::millimetres_per_unit(dots(), style_));
+    }
+
     void find_sizes() {
-        const std::optional<Pens>& pens = options_.pens;
-        // Inks whose dots differ in size have no one number.
-        if (pens && !(tones_.has_inks() && tones_.sizing.varies()))
-            made_.dots_for_ink =
-                drawing::dots_for_ink(tones_.all(), request().domain, *pens, style_);
+        made_.dots_for_ink = drawing::dots_for_ink(tones_, request().domain, style_);
         made_.diameters = drawing::diameters_of(tones_, dots(), style_);
     }
 
@@ -185,6 +250,7 @@ private:
     const StippleOptions& options_;
     Observer& observer_;
     drawing::Style style_;
+    std::vector<Layer> layers_;  // the inks or, if each has several pens, those
 };
 
 }  // namespace

@@ -21,6 +21,14 @@ void read_pens_by_tone(const std::string& text, std::optional<Pens>& pens) {
     pens = read_pens("dot-size", text, true);
 }
 
+void read_colour(const std::string& text, Colour& colour) {
+    colour = paper_of(text);
+}
+
+void read_widths(const std::string& text, std::optional<Pens>& pens) {
+    pens = read_pens_there_are("pens", text);
+}
+
 void read_sheet(const std::string& text, std::optional<Paper>& paper) {
     paper = read_paper("paper-size", text);
 }
@@ -29,6 +37,10 @@ void read_sheet(const std::string& text, std::optional<Paper>& paper) {
 void read_margin(const std::string& text, std::optional<Paper>& paper) {
     const double margin_mm = read_length("margin", text, 0);
     if (paper) paper->margin_mm = margin_mm;
+}
+
+void read_plot_time(const std::string& text, std::optional<double>& seconds) {
+    seconds = read_time("plot-time", text);
 }
 
 void read_counts(const std::string& text, std::vector<std::uint64_t>& counts) {
@@ -53,11 +65,16 @@ Targets targets_of(StippleOptions& options) {
                     {"relax", &options.relax},
                     {"inks", take_by<read_inks>(options.inks)},
                     {"black-ink", &options.black_ink},
+                    {"paper-colour", take_by<read_colour>(options.paper_colour)},
                     {"ink-counts", take_by<read_counts>(options.ink_counts)},
                     {"dot-size", take_by<read_pens_by_tone>(options.pens)},
+                    {"pens", take_by<read_widths>(options.pens)},
                     {"size-by-tone", &options.size_by_tone},
                     {"keep-inside", &options.keep_inside},
-                    {"pen-path", &options.pen_path}};
+                    {"pen-path", &options.pen_path},
+                    {"plot-time", take_by<read_plot_time>(options.plot_seconds)},
+                    {"seconds-per-dot", &options.plotter.seconds_per_dot},
+                    {"seconds-per-metre", &options.plotter.seconds_per_metre}};
     targets.merge(targets_of(options.pens, options.paper));
     targets.merge(targets_of(options.request));
     targets.merge(targets_of(options.tone));
