@@ -12,6 +12,7 @@
 
 #include "analysis/radial.h"
 #include "analysis/spectrum.h"
+#include "base/number_text.h"
 #include "drawing/picture_svg.h"
 #include "files/point_files.h"
 #include "pictures/image.h"
@@ -121,6 +122,14 @@ Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tel
     set.style.paper_colour = made.paper_colour;
     set.style.for_a_pen = made.is_for_a_pen;
     set.has_columns = options.paper || options.pens;
+    if (made.plot_seconds != 0)
+        set.plot =
+            "pen path " +
+            rounded(made.path_length *
+                        drawing::millimetres_per_unit(files::PointSet{{}, set.domain}, set.style) /
+                        1000,
+                    4) +
+            " m, about " + time_text(made.plot_seconds);
     return set;
 }
 

@@ -36,6 +36,7 @@ struct Set {
     std::vector<files::Layer> layers;  // inks and their dots, which come ink by ink; or empty
     std::vector<double> diameters;     // empty: the same for all dots, from the radius
     drawing::Style style;              // without the diameters
+    std::string plot;                  // how long a pen's path and a plot are, in words; or empty
     bool has_columns = false;  // whether csv and npy have columns for dots (pen or paper given)
     std::string command;       // the command line that makes the same set
 };

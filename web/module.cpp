@@ -67,6 +67,10 @@ recipes::CommandLine line_of(std::string_view form) {
     return line;
 }
 
+int number_of(const Colour& colour) {
+    return colour[0] * 0x10000 + colour[1] * 0x100 + colour[2];
+}
+
 }  // namespace
 
 extern "C" {
@@ -112,17 +116,24 @@ EMSCRIPTEN_KEEPALIVE const double* lacuna_points() {
 EMSCRIPTEN_KEEPALIVE const double* lacuna_diameters() {
     return state().set.diameters.empty() ? nullptr : state().set.diameters.data();
 }
-// Writes the inks as JSON to lacuna_text(): for each its dots, which come ink by ink, and its
-// colour, 0xrrggbb.
+// Writes the inks as JSON to lacuna_text(): for each its dots, which come ink by ink, its colour,
+// 0xrrggbb, and 1 if it is opaque.
 EMSCRIPTEN_KEEPALIVE void lacuna_layers() {
     std::string& text = state().text = "[";
     for (const files::Layer& layer : state().set.layers) {
-        const auto& [red, green, blue] = layer.ink.colour;
         text += text.size() == 1 ? "" : ",";
         text += "{\"dots\":" + std::to_string(layer.dots) +
-                ",\"colour\":" + std::to_string(red * 0x10000 + green * 0x100 + blue) + "}";
+                ",\"colour\":" + std::to_string(number_of(layer.ink.colour)) + ",\"opaque\":" +
+                std::to_string(layer.ink.is_opaque_on(state().set.style.paper_colour)) + "}";
     }
     text += "]";
+}
+EMSCRIPTEN_KEEPALIVE int lacuna_paper_colour() {
+    return number_of(state().set.style.paper_colour);
+}
+// Writes what the page says of a plot to lacuna_text().
+EMSCRIPTEN_KEEPALIVE void lacuna_plot() {
+    state().text = state().set.plot;
 }
 EMSCRIPTEN_KEEPALIVE double lacuna_width() {
     return state().set.domain.width;

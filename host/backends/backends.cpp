@@ -1,4 +1,4 @@
-// The list of backends, and the choice among them.
+// The list of backends, and the choice among them. The page is built with LACUNA_CPU_ONLY.
 #include "backends/backends.h"
 
 #include <algorithm>
@@ -39,9 +39,11 @@ std::vector<DeviceEntry> list_processor() {
     return processor_with(std::max(1u, std::thread::hardware_concurrency()));
 }
 
+#ifndef LACUNA_CPU_ONLY
 std::vector<DeviceEntry> list_one_thread() {
     return processor_with(1);
 }
+#endif
 
 #if !defined(LACUNA_OPENCL) || !defined(LACUNA_VULKAN)
 constexpr char kOpenCl[] = "opencl";
@@ -73,7 +75,9 @@ constexpr Entry kBackends[] = {
 #else
     {kVulkan, make_left_out<kVulkan>, true, list_left_out},
 #endif
+#ifndef LACUNA_CPU_ONLY
     {"reference", nullptr, false, list_one_thread},
+#endif
 };
 
 // A driver that fails is listed as an unusable device, so that it does not hide the others.

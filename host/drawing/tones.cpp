@@ -1,8 +1,6 @@
 // Computes ink by ink what dot_size, dot_count and keep_inside compute for one field.
 #include "drawing/tones.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -131,8 +129,10 @@ std::uint64_t plotted_count(const Tones& tones, const Domain& domain, const Styl
     // Of the two forms of the root this one holds for a = 0, too.
     const double root = 2 * seconds / (b + std::sqrt(b * b + 4 * a * seconds));
     if (!(root * root <= kMostDots))
-        throw BadRequest("plot-time", shortest(seconds) + "s",
-                         fmt::format("has time for more than {} dots: give --count", kMostDots));
+        throw BadRequest("plot-time", time_text(seconds),
+                         "has time for more than " +
+                             std::to_string(static_cast<std::uint64_t>(kMostDots)) +
+                             " dots: give --count");
     return static_cast<std::uint64_t>(std::max(1.0, std::round(root * root)));
 }
 

@@ -68,6 +68,7 @@ constexpr Pairs kPairs[] = {
 
     // Inks and sizes of dots
     {kStipple, "black-ink ink-counts", Needs::one_of, "inks", "is for a picture in inks"},
+    {kStipple, "black-ink", Needs::none_of, "paper-colour", "is for white paper"},
     {kStipple, "along", Needs::none_of, "inks", "dots of inks are relaxed"},
     {kStipple, "metric scale limit lines-per-radius round-size mode=cells mode=exact",
      Needs::none_of, "inks", "dots of inks begin stratified"},

@@ -78,7 +78,9 @@ constexpr Entry kBackends[] = {
 #else
     {"vulkan", make_left_out, make_gaussian_left_out},
 #endif
+#ifndef LACUNA_CPU_ONLY
     {"reference", reference::make_backend, reference::make_gaussian_backend},
+#endif
 };
 
 const Entry& chosen(const Place& place) {

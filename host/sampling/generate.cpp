@@ -81,8 +81,10 @@ void cut_points(std::size_t count, Result& result) {
 
 Run run_on_backend(const Request& request, const Plan& plan, Observer& observer) {
     const ReadyBackend ready = make_backend(request.place, plan, observer);
+#ifndef LACUNA_CPU_ONLY
     if (ready.backend == nullptr)
         return {reference::sample(plan, observer), ready.name, "1 thread"};
+#endif
     return {generate(plan, *ready.backend, observer), ready.name, ready.backend->device()};
 }
 

@@ -108,7 +108,7 @@ function summary(set, o, seconds) {
     const made = `${grouped(set.points.length / 2)} ${kind === "stipple" ? "dots" : "points"}`;
     const relaxed = relaxOf(o) ? `, relaxed ${relaxOf(o)} times` : "";
     const radius = kind === "sample" && set.radius ? `, radius ${+set.radius.toPrecision(4)}` : "";
-    return `${made}${relaxed}${radius}, ${seconds.toFixed(2)} s`;
+    return `${made}${relaxed}${radius}, ${seconds.toFixed(2)} s${set.plot ? `; ${set.plot}` : ""}`;
 }
 
 async function run() {
@@ -271,9 +271,9 @@ function asPdf({ set, page }) {
     const dot = (i) => ({
         x: (page.left + set.points[2 * i]) * scale, y: (page.bottom + set.points[2 * i + 1]) * scale,
         diameter: diameterOf(set, i) * scale });
-    const layers = layersOf(set).map(({ first, dots, colour }) =>
-        ({ colour, dots: Array.from({ length: dots }, (_, i) => dot(first + i)) }));
-    return pdfOf({ width: page.width * scale, height: page.height * scale }, layers);
+    const layers = layersOf(set).map(({ first, dots, colour, opaque }) =>
+        ({ colour, opaque, dots: Array.from({ length: dots }, (_, i) => dot(first + i)) }));
+    return pdfOf({ width: page.width * scale, height: page.height * scale, colour: set.paperColour }, layers);
 }
 
 async function download() {
@@ -332,10 +332,13 @@ function select(wanted) {
 
 function update() {
     for (const id of ["relax", "black", "white", "gamma", "sharpen", "size-by-tone", "sample-relax"]) $(`${id}-value`).textContent = $(id).value;
-    const isPen = $("pen-kind").value === "pen";
-    $("pen-row").hidden = !isPen;
-    document.querySelectorAll(".tone-row").forEach((part) => (part.hidden = isPen));
+    const pens = $("pen-kind").value;
+    $("pen-row").hidden = pens !== "pen";
+    $("pens-row").hidden = pens !== "pens";
+    document.querySelectorAll(".tone-row").forEach((part) => (part.hidden = pens !== "radius"));
+    $("count").disabled = $("count-slider").disabled = $("plot-time").value !== "";
     $("ink-row").hidden = $("ink-kind").value !== "own";
+    if ($("ink-kind").value.startsWith("white") && $("paper-colour").value === "#ffffff") $("paper-colour").value = "#000000";
     $("ink-kind").dataset.option = $("ink-row").hidden ? "inks" : "";
     $("amount").dataset.option = $("by").value;
     $("metric-row").hidden = $("ink-kind").value !== "";

@@ -1,5 +1,6 @@
 // Dots as a PDF (PDF 1.4): each is a line of 0.01 pt with round caps. Each ink is a group of its own,
-// which multiplies what lies under it.
+// which multiplies what lies under it or, if it is opaque, covers it.
+import { lightOf } from "./view.js";
 
 async function deflated(text) {
     const bytes = new TextEncoder().encode(text);
@@ -9,10 +10,10 @@ async function deflated(text) {
 }
 
 const short = (number) => String(+number.toFixed(3));
+const rgb = (colour) => lightOf(colour).map(short).join(" ");
 
 function strokes({ colour, dots }) {
-    const light = [16, 8, 0].map((shift) => short(((colour >> shift) & 255) / 255));
-    const lines = ["1 J", `${light.join(" ")} RG`];
+    const lines = ["1 J", `${rgb(colour)} RG`];
     let last = null;
     for (const { x, y, diameter } of dots) {
         const width = short(diameter);
@@ -22,7 +23,8 @@ function strokes({ colour, dots }) {
     return lines.join("\n");
 }
 
-// Lengths are in points, y upwards; each layer has a colour, 0xrrggbb, and dots: {x, y, diameter}.
+// Lengths are in points, y upwards; the page and each layer have a colour, 0xrrggbb, and each layer
+// has dots: {x, y, diameter}.
 export async function pdfOf(page, layers) {
     const parts = [];
     const offsets = [];
@@ -50,9 +52,10 @@ export async function pdfOf(page, layers) {
     object("<< /Type /Catalog /Pages 2 0 R >>");
     object("<< /Type /Pages /Kids [3 0 R] /Count 1 >>");
     object(`<< /Type /Page /Parent 2 0 R /MediaBox ${box} /Contents 4 0 R ` +
-        "/Resources << /ExtGState << /M << /BM /Multiply >> >> " +
+        "/Resources << /ExtGState << /M << /BM /Multiply >> /N << /BM /Normal >> >> " +
         `/XObject << ${names.map((name, i) => `${name} ${firstLayer + i} 0 R`).join(" ")} >> >> >>`);
-    await stream(`/M gs\n${names.map((name) => `${name} Do`).join("\n")}`, "");
+    const paint = page.colour === 0xffffff ? "" : `${rgb(page.colour)} rg\n0 0 ${short(page.width)} ${short(page.height)} re f\n`;
+    await stream(paint + layers.map(({ opaque }, i) => `${opaque ? "/N" : "/M"} gs\n${names[i]} Do`).join("\n"), "");
     for (const layer of layers)
         await stream(strokes(layer), `/Type /XObject /Subtype /Form /BBox ${box} ` +
             "/Group << /S /Transparency /CS /DeviceRGB >> /Resources << >> ");

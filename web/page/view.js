@@ -38,17 +38,21 @@ export function diameterOf(set, i) {
 // The inks of a set: the index of the first dot, the number of dots, and the colour, 0xrrggbb.
 export function layersOf(set) {
     let first = 0;
-    const layers = set.layers?.length ? set.layers : [{ dots: set.points.length / 2, colour: 0 }];
+    const layers = set.layers?.length ? set.layers : [{ dots: set.points.length / 2, colour: 0, opaque: 0 }];
     return layers.map((layer) => ({ ...layer, first: (first += layer.dots) - layer.dots }));
 }
 
-// Fills an ImageData with dots; `scale`: pixels per unit; (x, y): the page's upper left corner. Inks
-// are transparent: each multiplies what lies under it.
+// Red, green and blue of 0xrrggbb, 0 to 1.
+export const lightOf = (colour) => [16, 8, 0].map((shift) => ((colour >> shift) & 255) / 255);
+
+// Fills an ImageData with dots; `scale`: pixels per unit; (x, y): the page's upper left corner.
+// Transparent inks multiply what lies under them, and opaque ones cover it.
 export function drawDots(image, set, page, scale, x, y) {
     const { width, height, data } = image;
     const cover = new Float32Array(width * height);
-    data.fill(255);
-    for (const { first, dots, colour } of layersOf(set)) {
+    const paper = lightOf(set.paperColour);
+    for (let i = 0; i < data.length; ++i) data[i] = i % 4 === 3 ? 255 : 255 * paper[i % 4];
+    for (const { first, dots, colour, opaque } of layersOf(set)) {
         cover.fill(255);
         for (let i = first; i < first + dots; ++i) {
             const px = x + (page.left + set.points[2 * i]) * scale;
@@ -57,11 +61,12 @@ export function drawDots(image, set, page, scale, x, y) {
             if (px > -r - 1 && py > -r - 1 && px < width + r + 1 && py < height + r + 1)
                 splat(cover, width, height, px, py, r);
         }
-        for (let channel = 0; channel < 3; ++channel) {
-            const share = ((colour >> (16 - 8 * channel)) & 255) / 255; // of the light that passes
-            for (let i = 0; i < cover.length; ++i)
-                data[4 * i + channel] *= share + (1 - share) * cover[i] / 255;
-        }
+        lightOf(colour).forEach((light, channel) => {
+            for (let i = 0; i < cover.length; ++i) {
+                const bare = cover[i] / 255, at = 4 * i + channel;
+                data[at] = opaque ? data[at] * bare + 255 * light * (1 - bare) : data[at] * (light + (1 - light) * bare);
+            }
+        });
     }
     const inside = (row, column) => column + 0.5 > x && row + 0.5 > y &&
         column + 0.5 < x + page.width * scale && row + 0.5 < y + page.height * scale;

@@ -78,6 +78,8 @@ function made() {
         diameters: doubles(lacuna._lacuna_diameters(), count),
         layers: written(lacuna._lacuna_layers()),
         paper: written(lacuna._lacuna_paper()),
+        paperColour: lacuna._lacuna_paper_colour(),
+        plot: text(lacuna._lacuna_plot()),
         width: lacuna._lacuna_width(),
         height: lacuna._lacuna_height(),
         radius: lacuna._lacuna_radius(),

@@ -104,7 +104,10 @@ class PageTest(unittest.TestCase):
             {"black": 0.1, "white": 0.85, "invert": False, "seed": 7},
             {"auto-levels": True, "pen-kind": "pen", "pen": 0.35, "paper": "A5", "margin": 12.5},
             {"count": "", "paper": "tabloid", "pen-path": True, "pen": 1.5},
-            {"pen-kind": "radius", "paper": "none", "metric": "auto", "count": "1000"},
+            {"pen-kind": "pens", "pens": "0.3mm,0.5mm", "paper": "A6", "plot-time": 2},
+            {"pen-kind": "radius", "paper": "none", "metric": "auto", "plot-time": "", "count": "1000"},
+            {"ink-kind": "white,gold=#d4af37", "pen-path": True},
+            {"ink-kind": "own", "inks": "#ffffff:0.4mm", "paper-colour": "#204060", "pen-path": False},
         ]
         for setting in settings:
             def change():

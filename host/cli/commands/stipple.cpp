@@ -42,34 +42,38 @@ Examples:
   lacuna stipple photo.jpg --count 2000 --size-by-tone 0.5 --sharpen 8 -o dots.svg   few dots
   lacuna stipple photo.jpg --along 4 -o hairs.svg             short strokes along the edges
   lacuna stipple photo.jpg --scale 0.003 -o dots.png         as many as there is room for
-  lacuna stipple photo.jpg --count 20000 --relax 0 -o dots.pdf        the paper's set, grainy
+  lacuna stipple photo.jpg --count 20000 --relax 0 -o dots.pdf        the set of the 2011 article, grainy
   lacuna stipple photo.jpg --scale 0.003 --relax 0 --mode exact -o dots.npy   no gap is left
   lacuna stipple photo.jpg --dot-size 0.5mm --paper-size A6 --margin 8mm --pen-path -o plot.svg
                                                              for a plotter with a pen of 0.5 mm
-  lacuna stipple photo.jpg --dot-size 0.5mm --paper-size A5 --plot-time 1h -o plot.svg
-                                                             as many dots as it draws in an hour
+  lacuna stipple photo.jpg --pens 0.5mm,0.8mm,1.2mm --paper-size A5 --plot-time 1h -o plot.svg
+                                                             three pens, and an hour's plot
   lacuna stipple density.npy --invert --count 5000 > points.txt       high numbers are dense
 
 The domain is the picture, with a longer side of 1 and y upwards. Importance is 1 where the picture
 is black and 0, which means no dots, where it is white. Dots are placed at random, so that every
-part of the picture has its share of them. Then --relax moves them K times, until their cells hold
-equal darkness and each dot is in the middle of its cell.
+part of the picture has its share of them. Then they are moved, 15 times or as --relax says: their
+cells then hold nearly equal darkness, and each dot is in the middle of its cell.
 
 With --relax 0 dots are not moved, and are at least a radius apart; the radius is
-G / sqrt(importance). Points come in the order in which they were admitted: any prefix keeps these
-distances, but has gaps. Where radii differ, --metric min (default) keeps two dots at least the
+G / sqrt(importance), with the G of --scale. Dots come in the order in which they were admitted: the
+first n, for any n, keep these distances, but have gaps. Where radii differ, --metric min (default) keeps two dots at least the
 smaller radius apart, so that dots in light areas take no room from dark areas. With mean and max
 dots in light areas take room from dark ones, and gaps remain along edges of the picture.
 
 With --mode cells dots are placed on a lattice, and about 4 % fewer fit than in the plane. With
 --mode exact they are placed in the plane and no gap is left: the set of lacuna sample --field.
-Either set may be relaxed, too; in mode cells --metric is then mean by default. After relaxing such
-a set, shapes that are smaller than a dot's cell keep more dots than their share.
+Either set may be relaxed, too; in mode cells --metric is then mean by default. Fine details then
+have more dots than their share.
 
 With --dot-size 0.5mm all dots are equally large, as a pen draws them, and with 0.3mm..0.8mm they
-are larger where it is darker. Without --count there are as many dots as cover the area that the
-picture's darkness asks for. A warning is printed if --count gives less than half of that area, or
-more than twice. Without --dot-size, --size-by-tone makes dots in dark areas larger.
+are larger where it is darker; --pens 0.3mm,0.5mm,0.8mm are the widths there are. Without a number
+there are as many dots as cover the area that the picture's darkness asks for. A warning is printed
+if --count, --scale or --plot-time give less than half of that area, or more than twice. Without
+--dot-size and --pens, --size-by-tone makes dots in dark areas larger.
+
+With --plot-time 1h there are as many dots as a plotter draws in an hour, ordered along a short path
+as with --pen-path.
 
 With --along 4 dots are ellipses, up to four times as long as wide, along the picture's edges. They
 are made in --mode exact and are not relaxed.
@@ -78,7 +82,7 @@ With --inks the picture's colours are separated, in linear light. The dots of ea
 spread, and so are all dots together. Files hold the dots of the first ink, then of the second.
 
 With --paper-size the picture lies in the middle of the paper, as large as --margin allows, and .svg
-is in mm. Without it the page is the picture, and 512pt long.
+is in mm. Without it the page is the picture, and its longer side is 512pt.
 
 Formats read are PNG, JPEG, PGM, PPM, PFM, Radiance HDR and NumPy's .npy. For photos that are too
 dark or too light as a whole use --auto-levels.

@@ -45,6 +45,8 @@ recipes::CommandLine line_of(StippleOptions options) {
     if (!options.inks.empty()) line.given.push_back({"inks", {options.inks.front().name}});
     if (!options.ink_counts.empty())
         line.given.push_back({"ink-counts", {std::to_string(options.ink_counts.front())}});
+    if (options.paper_colour != kWhitePaper)
+        line.given.push_back({"paper-colour", {files::hex_of(options.paper_colour)}});
     if (options.plot_seconds)
         line.given.push_back({"plot-time", {shortest(*options.plot_seconds) + "s"}});
     return line;
