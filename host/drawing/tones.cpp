@@ -82,7 +82,7 @@ std::vector<files::Layer> layers_of_pens(const Tones& tones, const Domain& domai
                        width;
             };
             const auto end = std::stable_partition(rest.begin(), rest.end(), is_its);
-            const std::string name = rounded(width, 6) + "mm";
+            const std::string name = lacuna::rounded(width, 6) + "mm";
             const auto dots = static_cast<std::size_t>(end - rest.begin());
             layers.push_back(
                 {{ink.name.empty() ? name : ink.name + " " + name, ink.colour, width}, dots});
