@@ -28,5 +28,5 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME liblacuna-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libtbb-dev)
 # The packages that lacuna::extras links, which the library alone does not need.
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "pkg-config, libcairo2-dev, libfmt-dev, libjpeg-dev, libpng-dev, libpolyclipping-dev, libpugixml-dev, libssl-dev, zlib1g-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "pkg-config, libcairo2-dev, libfmt-dev, libjpeg-dev, libpng-dev, libpolyclipping-dev, libpugixml-dev, libssl-dev, libtiff-dev, libwebp-dev, zlib1g-dev")
 include(CPack)

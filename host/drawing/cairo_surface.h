@@ -32,6 +32,11 @@ inline Surface checked(cairo_surface_t* created) {
     return surface;
 }
 
+inline void set_colour(cairo_t* context, const Colour& colour) {
+    constexpr double kMost = 255;
+    cairo_set_source_rgb(context, colour[0] / kMost, colour[1] / kMost, colour[2] / kMost);
+}
+
 // Cairo calls this to write. Cairo is a C library, so no exception may pass through it.
 inline cairo_status_t append_to_string(void* closure, const unsigned char* data,
                                        unsigned int length) noexcept {

@@ -40,11 +40,6 @@ Surface surface_of(const Image& image) {
     return surface;
 }
 
-void set_colour(cairo_t* context, Colour colour) {
-    constexpr double kMost = 255;
-    cairo_set_source_rgb(context, colour[0] / kMost, colour[1] / kMost, colour[2] / kMost);
-}
-
 void set_clip(cairo_t* context, const Rectangle& box) {
     cairo_rectangle(context, box.left, box.top, box.width, box.height);
     cairo_clip(context);

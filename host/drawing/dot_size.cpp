@@ -70,7 +70,7 @@ double importance_at(Point point, const Field& field, const Domain& domain) {
 }
 
 bool Sizing::varies() const {
-    return by_tone != 0 || (pens && pens->least_mm != pens->most_mm);
+    return by_tone != 0 || is_line || (pens && pens->least_mm != pens->most_mm);
 }
 
 double width_at(const Pens& pens, double importance) {
@@ -82,6 +82,7 @@ double width_at(const Pens& pens, double importance) {
 }
 
 double Sizing::area_at(double importance) const {
+    if (is_line) return 1 / importance;
     if (!pens) return by_tone == 0 ? 1 : power(importance, by_tone);
     const double diameter = width_at(*pens, importance);
     return std::numbers::pi / 4 * diameter * diameter;

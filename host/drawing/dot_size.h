@@ -22,6 +22,9 @@ struct Sizing {
     std::optional<Pens> pens{};
     // Where the importance is 1, dots of the library's choice are so wide that they leave no gaps.
     bool solid_black = false;
+    // Or a line is drawn through all dots: its length near a dot grows with the root of their
+    // density, so dots lie as densely as importance squared.
+    bool is_line = false;
 
     bool varies() const;
     // The area of a dot: relative, or in mm^2 with pens.

@@ -105,4 +105,12 @@ void for_each_layer(const files::PointSet& set, const Style& style, const Draw& 
     }
 }
 
+// The width of a layer's line on the page.
+inline double line_width_of(const files::PointSet& set, std::size_t layer, const Style& style,
+                            const Page& page) {
+    const double pen_mm = set.layers.empty() ? 0 : set.layers[layer].ink.pen_mm;
+    return page.scale *
+           (pen_mm == 0 ? style.line_width : pen_mm / millimetres_per_unit(set, style));
+}
+
 }  // namespace lacuna::drawing

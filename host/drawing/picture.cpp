@@ -21,10 +21,6 @@
 namespace lacuna::drawing {
 namespace {
 
-void set_colour(cairo_t* context, const Colour& colour) {
-    cairo_set_source_rgb(context, colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
-}
-
 // Gives the page the paper's colour and sets black as the colour to draw with.
 Context make_context(cairo_surface_t* surface, const Style& style) {
     Context context(cairo_create(surface));
@@ -35,17 +31,33 @@ Context make_context(cairo_surface_t* surface, const Style& style) {
     return context;
 }
 
-// Calls draw(dots, style) for each layer. Each is drawn on its own, in its colour. Transparent inks
-// multiply the colours on the page, and opaque ones cover them.
+void stroke_line(cairo_t* context, std::span<const Point> points, double width, const Page& page) {
+    cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_width(context, width);
+    for (const Point& point : points) {
+        ask_after(64);
+        cairo_line_to(context, page.x_of(point), page.y_of(point));
+    }
+    cairo_stroke(context);
+    check(cairo_status(context));
+}
+
+// Calls draw(dots, style) for each layer, or draws its line. Each is drawn on its own, in its
+// colour. Transparent inks multiply the colours on the page, and opaque ones cover them.
 template <class Draw>
-void draw_layers(cairo_t* context, const files::PointSet& set, const Style& style,
-                 const Draw& draw) {
-    if (set.layers.empty()) return draw(set, style);
+void draw_layers(cairo_t* context, const files::PointSet& set, const Style& style, const Page& page,
+                 const Draw& draw_dots) {
+    const auto draw = [&](std::size_t layer, const files::PointSet& part, const Style& its_style) {
+        if (style.line_width == 0) return draw_dots(part, its_style);
+        stroke_line(context, part.points, line_width_of(set, layer, style, page), page);
+    };
+    if (set.layers.empty()) return draw(0, set, style);
     for_each_layer(set, style, [&](std::size_t layer, const auto& part, const Style& its_style) {
         const Ink& ink = set.layers[layer].ink;
         cairo_push_group(context);
         set_colour(context, ink.colour);
-        draw(part, its_style);
+        draw(layer, part, its_style);
         cairo_pop_group_to_source(context);
         if (!ink.is_opaque_on(style.paper_colour))
             cairo_set_operator(context, CAIRO_OPERATOR_MULTIPLY);
@@ -109,7 +121,7 @@ std::string draw_pdf(const files::PointSet& set, const Style& style) {
     }
     {
         const Context context = make_context(surface.get(), style);
-        draw_layers(context.get(), set, style, [&](const auto& part, const Style& its_style) {
+        draw_layers(context.get(), set, style, page, [&](const auto& part, const Style& its_style) {
             if (part.ellipses.empty())
                 fill_circles(context.get(), part, its_style, page);
             else
@@ -150,7 +162,7 @@ std::string draw_png(const files::PointSet& set, const Style& style) {
         is_grey ? CAIRO_FORMAT_A8 : CAIRO_FORMAT_RGB24, pixels(page.width), pixels(page.height)));
     const Context context = make_context(surface.get(), style);
     if (is_grey) cairo_set_operator(context.get(), CAIRO_OPERATOR_CLEAR);
-    draw_layers(context.get(), set, style, [&](const auto& part, const Style& its_style) {
+    draw_layers(context.get(), set, style, page, [&](const auto& part, const Style& its_style) {
         if (part.ellipses.empty())
             stroke_dots(context.get(), part, its_style, page);
         else

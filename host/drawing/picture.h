@@ -28,6 +28,9 @@ struct Style {
     Colour paper_colour = kWhitePaper;
     double pixels_per_inch = 144;         // only for png
     std::span<const double> diameters{};  // of each dot, in the domain's units; empty: all equal
+    // Over 0: a line through the dots of each layer, in place of dots. It is as wide as the ink's
+    // pen or, without one, as this, in the domain's units.
+    double line_width = 0;
     // For a plotter's pen. Dots are drawn in their order, not size by size; an svg has no
     // background, because a plotter would take it for a shape.
     bool for_a_pen = false;

@@ -62,6 +62,21 @@ std::string group_head(std::span<const files::Layer> layers, std::size_t index,
         files::hex_of(layer.ink.colour));
 }
 
+void append_line(std::string& bytes, std::span<const Point> points, double width,
+                 const Page& page) {
+    fmt::format_to(std::back_inserter(bytes),
+                   FMT_COMPILE("<path stroke-linejoin=\"round\" stroke-width=\"{:.6g}\" d=\""),
+                   width);
+    ask_after(16 * points.size());
+    char step = 'M';
+    for (const Point& point : points) {
+        fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{}{:.4f} {:.4f}\n"), step,
+                       page.x_of(point), page.y_of(point));
+        step = 'L';
+    }
+    bytes += "\"/>\n";
+}
+
 }  // namespace
 
 std::string seed_text(const files::Origin& origin) {
@@ -96,7 +111,9 @@ std::string draw_svg(const files::PointSet& set, const Style& style) {
     };
     for_each_layer(set, style, [&](std::size_t layer, const auto& part, const Style& its_style) {
         bytes += group_head(set.layers, layer, style.paper_colour);
-        if (part.ellipses.empty())
+        if (style.line_width > 0)
+            append_line(bytes, part.points, line_width_of(set, layer, style, page), page);
+        else if (part.ellipses.empty())
             for_each_stroke(part, its_style, draw_dots);
         else
             append_ovals(bytes, part, its_style, page);

@@ -108,11 +108,9 @@ std::uint64_t suiting_count(const Tones& tones, const Domain& domain, const Styl
     return all;
 }
 
-// With n dots of density d(x) in all, those of ink k d_k, the path is about kPath times the sum
-// over inks of the integral of sqrt(n d_k) long. So the time is a n + b sqrt(n), which is solved
-// for n.
-std::uint64_t plotted_count(const Tones& tones, const Domain& domain, const Style& style,
-                            const Plotter& plotter, double seconds) {
+// About how long the path through n dots is, in mm, over sqrt(n). With n dots of density d(x) in
+// all, those of ink k d_k, it is kPath times the sum over inks of the integral of sqrt(d_k).
+double path_of_one(const Tones& tones, const Domain& domain, const Style& style) {
     constexpr double kPath = 1;  // measured: 0.98 to 1.01 times as long in pictures of two kinds
     double sum = 0, roots = 0;
     for (const Field& field : tones.densities())
@@ -122,10 +120,15 @@ std::uint64_t plotted_count(const Tones& tones, const Domain& domain, const Styl
         });
     const auto pixels = static_cast<double>(tones.all().importance.size());
     const double pixel_area = domain.width * domain.height / pixels;
-    const double path_of_one = kPath * std::sqrt(pixel_area / sum) * roots;
+    return kPath * std::sqrt(pixel_area / sum) * roots *
+           millimetres_per_unit(files::PointSet{{}, domain}, style);
+}
+
+// The time is a n + b sqrt(n), which is solved for n.
+std::uint64_t plotted_count(const Tones& tones, const Domain& domain, const Style& style,
+                            const Plotter& plotter, double seconds) {
     const double a = plotter.seconds_per_dot;
-    const double b = seconds_of(
-        plotter, 0, path_of_one * millimetres_per_unit(files::PointSet{{}, domain}, style));
+    const double b = seconds_of(plotter, 0, path_of_one(tones, domain, style));
     // Of the two forms of the root this one holds for a = 0, too.
     const double root = 2 * seconds / (b + std::sqrt(b * b + 4 * a * seconds));
     if (!(root * root <= kMostDots))
@@ -134,6 +137,14 @@ std::uint64_t plotted_count(const Tones& tones, const Domain& domain, const Styl
                              std::to_string(static_cast<std::uint64_t>(kMostDots)) +
                              " dots: give --count");
     return static_cast<std::uint64_t>(std::max(1.0, std::round(root * root)));
+}
+
+std::uint64_t count_of_line(const Tones& tones, const Domain& domain, const Style& style,
+                            double width_mm) {
+    const double scale = millimetres_per_unit(files::PointSet{{}, domain}, style);
+    const double ink = darkness_of(tones.all()) * domain.width * scale * domain.height * scale;
+    const double root = ink / width_mm / path_of_one(tones, domain, style);
+    return static_cast<std::uint64_t>(std::clamp(std::round(root * root), 1.0, kMostDots));
 }
 
 double seconds_of(const Plotter& plotter, std::size_t dots, double path_mm) {

@@ -52,5 +52,7 @@ Image decode_netpbm(const Encoded& file);
 Image decode_pfm(const Encoded& file);
 Image decode_hdr(const Encoded& file);
 Image decode_npy(const Encoded& file);
+Image decode_tiff(const Encoded& file);
+Image decode_webp(const Encoded& file);
 
 }  // namespace lacuna::pictures

@@ -15,6 +15,7 @@ namespace lacuna::pictures {
 namespace {
 
 constexpr int kUpright = 1;
+constexpr std::string_view kMagic{"Exif\0\0", 6};
 
 // Exif data is a TIFF file without a picture. Reading beyond its end gives 0.
 class Tiff {
@@ -61,9 +62,12 @@ std::pair<std::size_t, std::size_t> stored_at(std::size_t x, std::size_t y, cons
 }  // namespace
 
 int orientation_of(std::string_view app1) {
-    constexpr std::string_view kMagic{"Exif\0\0", 6};
-    if (!app1.starts_with(kMagic)) return kUpright;
-    const Tiff tiff(app1.substr(kMagic.size()));
+    return app1.starts_with(kMagic) ? orientation_in(app1) : kUpright;
+}
+
+int orientation_in(std::string_view exif) {
+    if (exif.starts_with(kMagic)) exif.remove_prefix(kMagic.size());  // some programs write it
+    const Tiff tiff(exif);
     constexpr std::size_t kMagicNumber = 42;
     if (tiff.at<std::uint16_t>(2) != kMagicNumber) return kUpright;
     const std::size_t directory = tiff.at<std::uint32_t>(4);

@@ -45,9 +45,12 @@ struct Image {
 
 // The picture in the file, or on standard input for "-". The content decides the format, never the
 // name:
-//   PNG     every colour type, 1 to 16 bits, interlaced or not
+//   PNG     every colour type, 1 to 16 bits, interlaced or not; Exif's orientation is applied
 //   JPEG    grey, colour or CMYK (without a printer's profile: 1 - ink, times 1 - black), baseline
 //           or progressive, 8 bits, Huffman coded; Exif's orientation is applied
+//   TIFF    the first picture: what libtiff turns into colours of 8 bits, and 16 bits in rows, grey
+//           or RGB; its orientation is applied
+//   WebP    one picture; Exif's orientation is applied
 //   PGM, PPM   P2, P3, P5 and P6, of any maxval; the first picture of the file
 //   PFM     Pf and PF, both byte orders; the size of the scale factor is not used
 //   HDR     Radiance, 32-bit_rle_rgbe and 32-bit_rle_xyze, rows from top to bottom (-Y n +X n)

@@ -12,11 +12,13 @@
 #include <new>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/polling.h"
 #include "files/parse.h"
 #include "pictures/decode.h"
+#include "pictures/exif.h"
 #include "pictures/whole_samples.h"
 
 namespace lacuna::pictures {
@@ -45,9 +47,11 @@ public:
         }
         png_set_read_fn(png_, this, read);
         png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // check_size has its own
-        // Only pixels, palette and transparency are read. Profiles and texts are skipped, because
-        // they could be large when unpacked.
+        // Only pixels, palette, transparency and orientation are read. Profiles and texts are
+        // skipped, because they could be large when unpacked.
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+        static const png_byte exif[] = "eXIf";
+        png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_AS_DEFAULT, exif, 1);
     }
     PngReader(const PngReader&) = delete;
     PngReader& operator=(const PngReader&) = delete;
@@ -70,8 +74,8 @@ public:
             read_row_by_row(image);
         else
             read_interlaced(image, passes);
-        guarded([&] { png_read_end(png_, nullptr); });
-        return image;
+        guarded([&] { png_read_end(png_, info_); });
+        return upright(std::move(image), orientation());
     }
 
 private:
@@ -123,6 +127,13 @@ private:
         if (unpacked / kHighestRatio > file_.bytes.size())
             file_.refuse(fmt::format("not a whole PNG: {} bytes cannot hold {} x {} pixels",
                                      file_.bytes.size(), size().columns, size().rows));
+    }
+
+    int orientation() {
+        png_uint_32 size = 0;
+        png_bytep exif = nullptr;
+        if (png_get_eXIf_1(png_, info_, &size, &exif) == 0) return 1;
+        return orientation_in({reinterpret_cast<const char*>(exif), size});
     }
 
     void convert(const png_byte* bytes, std::span<double> row) const {

@@ -27,7 +27,7 @@ struct Known {
     Decode decode;
 };
 
-constexpr std::array<Known, 14> kFormats{{{"\x89PNG\r\n\x1a\n", decode_png},
+constexpr std::array<Known, 18> kFormats{{{"\x89PNG\r\n\x1a\n", decode_png},
                                           {"\xff\xd8\xff", decode_jpeg},
                                           {"P1", decode_netpbm},
                                           {"P2", decode_netpbm},
@@ -40,30 +40,36 @@ constexpr std::array<Known, 14> kFormats{{{"\x89PNG\r\n\x1a\n", decode_png},
                                           {"PF", decode_pfm},
                                           {"#?RADIANCE", decode_hdr},
                                           {"#?RGBE", decode_hdr},
-                                          {files::kNpyMagic, decode_npy}}};
+                                          {files::kNpyMagic, decode_npy},
+                                          {std::string_view("II*\0", 4), decode_tiff},
+                                          {std::string_view("MM\0*", 4), decode_tiff},
+                                          {std::string_view("II+\0", 4), decode_tiff},
+                                          {std::string_view("MM\0+", 4), decode_tiff}}};
+constexpr std::size_t kWebpAt = 8;  // after RIFF and the file's size
+constexpr Known kWebp{"WEBP", decode_webp};
 
 // Known formats that are not read; the message names them.
 struct Unread {
     std::size_t at;
     std::string_view magic;
     std::string_view name;
+    std::string_view advice;
 };
 
-constexpr std::array<Unread, 12> kUnread{{{8, "WEBP", "a WebP"},
-                                          {0, std::string_view("II*\0", 4), "a TIFF"},
-                                          {0, std::string_view("MM\0*", 4), "a TIFF"},
-                                          {0, "GIF8", "a GIF"},
-                                          {0, "BM", "a BMP"},
-                                          {4, "ftypavif", "an AVIF"},
-                                          {4, "ftyphei", "a HEIF"},
-                                          {4, "ftypmif1", "a HEIF"},
-                                          {0, "8BPS", "a Photoshop"},
-                                          {0, "v/1\1", "an OpenEXR"},
-                                          {0, "%PDF", "a PDF"},
-                                          {0, "<svg", "an SVG"}}};
+constexpr std::string_view kToPng = "convert it first, for example to PNG";
+constexpr std::string_view kFromHeif = "convert it first, for example by heif-convert to PNG";
+constexpr std::array<Unread, 9> kUnread{{{0, "GIF8", "a GIF", kToPng},
+                                         {0, "BM", "a BMP", kToPng},
+                                         {4, "ftypavif", "an AVIF", kFromHeif},
+                                         {4, "ftyphei", "a HEIF", kFromHeif},
+                                         {4, "ftypmif1", "a HEIF", kFromHeif},
+                                         {0, "8BPS", "a Photoshop", kToPng},
+                                         {0, "v/1\1", "an OpenEXR", kToPng},
+                                         {0, "%PDF", "a PDF", kToPng},
+                                         {0, "<svg", "an SVG", kToPng}}};
 
 constexpr std::string_view kAllowed =
-    "must be a picture in PNG, JPEG, PGM, PPM, PFM, Radiance HDR or NumPy's .npy";
+    "must be a picture in PNG, JPEG, TIFF, WebP, PGM, PPM, PFM, Radiance HDR or NumPy's .npy";
 
 std::string size_text(Size size) {
     return fmt::format("{} x {} pixels", size.columns, size.rows);
@@ -76,17 +82,18 @@ const Known& format_of(const Encoded& file) {
         return bytes.starts_with(format.magic);
     });
     if (known != kFormats.end()) return *known;
+    if (bytes.starts_with("RIFF") &&
+        bytes.substr(std::min(kWebpAt, bytes.size())).starts_with(kWebp.magic))
+        return kWebp;
     if (bytes.empty()) file.refuse(fmt::format("empty: {}", kAllowed));
     for (const Unread& unread : kUnread)
         if (bytes.substr(std::min(unread.at, bytes.size())).starts_with(unread.magic))
-            file.refuse(fmt::format("{} picture: {}; convert it first, for example to PNG",
-                                    unread.name, kAllowed));
+            file.refuse(fmt::format("{} picture: {}; {}", unread.name, kAllowed, unread.advice));
     // Programs such as this one begin an SVG with an XML declaration.
     constexpr std::size_t kBeginning = 4096;
     if (bytes.starts_with("<?xml") &&
         bytes.substr(0, kBeginning).find("<svg") != std::string_view::npos)
-        file.refuse(
-            fmt::format("an SVG picture: {}; convert it first, for example to PNG", kAllowed));
+        file.refuse(fmt::format("an SVG picture: {}; {}", kAllowed, kToPng));
     constexpr std::size_t kShown = 16;
     file.refuse(
         fmt::format("begins with {}: {}", files::excerpt(bytes.substr(0, kShown)), kAllowed));

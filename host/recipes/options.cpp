@@ -229,6 +229,9 @@ constexpr Row kRows[] = {
      "picture is black no gaps are left"},
     {{"pen-path", "", Kind::flag, kStipple},
      "Orders the dots along a short path for a pen, in every format"},
+    {{"path-line", "", Kind::flag, kStipple},
+     "Draws that path as one line, in .svg .pdf .png, in place of dots: as wide as the pen of "
+     "--dot-size or, without it, so wide that its ink is as much as the picture is dark"},
     {{"plot-time", "T", Kind::text, kStipple},
      "As many dots as a plotter draws in this time, such as 90min or 1.5h, in the order of "
      "--pen-path"},

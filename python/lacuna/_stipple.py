@@ -67,7 +67,8 @@ def stipple(
     Parameters
     ----------
     image : path or array_like, shape (rows, columns) or (rows, columns, 1, 3 or 4)
-        A picture: PNG, JPEG, PGM, PPM, PFM, Radiance HDR or .npy; or an array, row 0 on top.
+        A picture: PNG, JPEG, TIFF, WebP, PGM, PPM, PFM, Radiance HDR or .npy; or an array, row 0 on
+        top.
         Black is 0. White is 255 or 65535 for 8-bit and 16-bit numbers; for other numbers it is 1,
         or the largest number in the array if that is over 1.
     n : int, optional

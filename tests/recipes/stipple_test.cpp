@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <span>
 #include <string>
 #include <utility>
@@ -209,6 +211,31 @@ TEST(Stippling, InInksWithPensOfTheirOwnHasAsMuchInkOfEachAsThePictureNeeds) {
     EXPECT_NEAR(80 * made.diameters.back(), 1, 1e-12);
 }
 
+TEST(Stippling, AsALineHasAsMuchInkAsThePictureIsDark) {
+    // Black at the left, half grey at the right: a quarter as many dots there.
+    const Picture halves{"P2 2 1 2 0 1", "halves"};
+    StippleOptions options = counted(2000);
+    options.path_line = true;
+    const Stippling made = stipple(halves, options);
+    EXPECT_TRUE(made.is_for_a_pen);
+    const auto left = std::count_if(made.result.points.begin(), made.result.points.end(),
+                                    [](const Point& point) { return point.x < 0.5; });
+    EXPECT_NEAR(double(left), 1600, 8);
+    EXPECT_NEAR(made.line_width * made.path_length, 0.75 * 0.5, 1e-12);
+    EXPECT_EQ(made.plot_seconds, 5 * made.path_length * 512 / 72 * 0.0254);
+    // With a pen the length is what it needs.
+    options = {.pens = Pens{0.5, 0.5}, .paper = Paper{100, 50}, .path_line = true};
+    const Stippling drawn = stipple(halves, options);
+    EXPECT_NEAR(100 * drawn.line_width, 0.5, 1e-12);
+    EXPECT_NEAR(100 * 100 * drawn.line_width * drawn.path_length, 0.75 * 5000, 0.04 * 3750);
+    const std::string path = testing::TempDir() + "lacuna_line.svg";
+    write_stippling(path, drawn);
+    std::ifstream file(path);
+    const std::string svg{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_EQ(svg.find("<path"), svg.rfind("<path")) << "one line";
+    EXPECT_NE(svg.find("stroke-width=\"0.5\""), std::string::npos);
+}
+
 TEST(Stippling, OnDarkPaperDrawsWhatIsLight) {
     StippleOptions options = in_inks("white", 400);
     options.paper_colour = {0, 0, 0};
@@ -309,6 +336,8 @@ TEST(Stippling, RefusesWhatCannotBe) {
         {"black-ink 1 with --paper-colour: is for white paper",
          {.inks = red, .black_ink = 1, .paper_colour = {0, 0, 0}}},
         {"paper-colour #202020: is too dark for black dots", {.paper_colour = {32, 32, 32}}},
+        {"path-line with --keep-inside: a line has no dots",
+         {.keep_inside = true, .path_line = true}},
         {"pens 0.4mm: must be widths", {.pens = Pens{0.5, 0.6, {0.5, 0.4, 0.6}}}},
         {"plot-time 60s with --count: both give", {.request = {.count = 9}, .plot_seconds = 60}},
         {"plot-time 60: needs a plotter", {.plotter = {0, 0}, .plot_seconds = 60}},

@@ -48,6 +48,7 @@ Examples:
                                                              for a plotter with a pen of 0.5 mm
   lacuna stipple photo.jpg --pens 0.5mm,0.8mm,1.2mm --paper-size A5 --plot-time 1h -o plot.svg
                                                              three pens, and an hour's plot
+  lacuna stipple photo.jpg --count 8000 --path-line -o line.svg    one line through all dots
   lacuna stipple density.npy --invert --count 5000 > points.txt       high numbers are dense
 
 The domain is the picture, with a longer side of 1 and y upwards. Importance is 1 where the picture
@@ -84,8 +85,8 @@ spread, and so are all dots together. Files hold the dots of the first ink, then
 With --paper-size the picture lies in the middle of the paper, as large as --margin allows, and .svg
 is in mm. Without it the page is the picture, and its longer side is 512pt.
 
-Formats read are PNG, JPEG, PGM, PPM, PFM, Radiance HDR and NumPy's .npy. For photos that are too
-dark or too light as a whole use --auto-levels.
+Formats read are PNG, JPEG, TIFF, WebP, PGM, PPM, PFM, Radiance HDR and NumPy's .npy. For photos
+that are too dark or too light as a whole use --auto-levels.
 )";
 
 struct StippleCommand {
@@ -161,6 +162,7 @@ Json json_of(const StippleCommand& all, const StippleOptions& options, const Sti
         json["paper_colour"] = files::hex_of(options.paper_colour);
     if (!options.ink_counts.empty()) json["ink_counts"] = options.ink_counts;
     json["pen_path"] = options.pen_path;
+    if (options.path_line) json["path_line"] = true;
     if (options.keep_inside) json["keep_inside"] = true;
     if (options.size_by_tone != 0) json["size_by_tone"] = options.size_by_tone;
     return json;
@@ -205,11 +207,13 @@ std::string note_on_count(const StippleOptions& options, const Stippling& made) 
 std::string plot_text(const StippleOptions& options, const files::PointSet& set,
                       const drawing::Style& style, const Stippling& made) {
     if (made.plot_seconds == 0) return "";
-    return fmt::format(", pen path {:.2f} m{}, about {} at {:.3g} s a dot and {:.3g} s a metre",
-                       made.path_length * drawing::millimetres_per_unit(set, style) / 1000,
+    const double millimetres = made.path_length * drawing::millimetres_per_unit(set, style);
+    const std::string dots =
+        options.path_line ? ""
+                          : fmt::format("{:.3g} s a dot and ", options.plotter.seconds_per_dot);
+    return fmt::format(", pen path {:.2f} m{}, about {} at {}{:.3g} s a metre", millimetres / 1000,
                        made.is_for_a_pen ? "" : " (shorter with --pen-path)",
-                       time_text(made.plot_seconds), options.plotter.seconds_per_dot,
-                       options.plotter.seconds_per_metre);
+                       time_text(made.plot_seconds), dots, options.plotter.seconds_per_metre);
 }
 
 void run(const CommandLine& line, const StippleCommand& all) {
@@ -227,6 +231,7 @@ void run(const CommandLine& line, const StippleCommand& all) {
     const Json asked = json_of(all, options, dots);
     const files::Origin origin = origin_of(line, request, made.result, asked);
     drawing::Style style = style_of(drawing, request.domain);
+    style.line_width = dots.line_width;
     style.paper_colour = options.paper_colour;
     style.for_a_pen = dots.is_for_a_pen;
     files::PointSet set{made.result.points, request.domain, made.result.radius, &origin};

@@ -84,6 +84,9 @@ struct StippleOptions {
     // a shape narrower than a dot they are made smaller, but not smaller than a pen.
     bool keep_inside = false;
     bool pen_path = false;  // orders the dots of each ink along a short path
+    // Draws that path as one line a layer in place of dots (Kaplan & Bosch 2005, TSP art). Dots lie
+    // as densely as importance squared, so that the line has as much ink as the picture is dark.
+    bool path_line = false;
     Plotter plotter{};
     // In place of a count: about as many dots as the plotter draws in this time along that path,
     // in which they are ordered then.
@@ -117,6 +120,7 @@ struct Stippling {
     double path_length = 0;
     double admitted_length = 0;
     double plot_seconds = 0;
+    double line_width = 0;  // with path_line: in the domain's unit, where the ink has no pen
 };
 
 // Throws BadRequest for options that stipple() refuses with every picture.

@@ -131,7 +131,7 @@ Stippling settled(const StippleOptions& options) {
     Stippling made{.request = options.request};
     made.iterations = recipes::relax_of(given);
     made.paper_colour = options.paper_colour;
-    made.is_for_a_pen = options.pen_path || options.plot_seconds;
+    made.is_for_a_pen = options.pen_path || options.path_line || options.plot_seconds;
     recipes::settle(given, made.request);
     recipes::check_moves(made.request, {.iterations = made.iterations});
     return made;
@@ -186,8 +186,11 @@ private:
         if (!counts.empty())
             request().count = sum_of(counts);
         else if (options_.plot_seconds)
-            request().count = drawing::plotted_count(tones_, request().domain, style_,
-                                                     options_.plotter, *options_.plot_seconds);
+            request().count = drawing::plotted_count(tones_, request().domain, style_, plotter(),
+                                                     *options_.plot_seconds);
+        else if (options_.path_line && options_.pens && !request().count)
+            request().count =
+                drawing::count_of_line(tones_, request().domain, style_, options_.pens->least_mm);
         else if (!request().count && !request().scale)
             request().count = drawing::suiting_count(tones_, request().domain, style_);
         if (!tones_.has_inks()) return;
@@ -232,19 +235,36 @@ private:
         observer_.end(Verb::pen_path);
     }
 
+    // The pen stays down on a line.
+    Plotter plotter() const {
+        Plotter plotter = options_.plotter;
+        if (options_.path_line) plotter.seconds_per_dot = 0;
+        return plotter;
+    }
+
     void time_the_plot() {
         drawing::for_each_layer(dots(), {}, [&](std::size_t, const auto& part, const auto&) {
             made_.path_length += pen::path_length(part.points);
         });
         if (!made_.is_for_a_pen) made_.admitted_length = made_.path_length;
         made_.plot_seconds =
-            drawing::seconds_of(options_.plotter, made_.result.points.size(),
+            drawing::seconds_of(plotter(), made_.result.points.size(),
                                 made_.path_length * drawing::millimetres_per_unit(dots(), style_));
     }
 
     void find_sizes() {
+        if (options_.path_line) return find_width();
         made_.dots_for_ink = drawing::dots_for_ink(tones_, request().domain, style_);
         made_.diameters = drawing::diameters_of(tones_, dots(), style_);
+    }
+
+    // The width at which the line has as much ink as the picture is dark, or that of the pen.
+    void find_width() {
+        const Domain& domain = request().domain;
+        const double ink = drawing::darkness_of(tones_.all()) * domain.width * domain.height;
+        made_.line_width =
+            options_.pens ? options_.pens->least_mm / drawing::millimetres_per_unit(dots(), style_)
+                          : ink / std::max(made_.path_length, ink);
     }
 
     Stippling& made_;
@@ -266,7 +286,9 @@ Stippling stipple(std::vector<Field> importance, const StippleOptions& options,
     Stippling made = settled(options);
     Asked asked(observer, {0, options.request.count.value_or(1), 0});
     drawing::Tones tones{
-        .sizing = {options.size_by_tone, options.pens},
+        .sizing = {.by_tone = options.size_by_tone,
+                   .pens = options.pens,
+                   .is_line = options.path_line},
         .keep_inside = options.keep_inside,
         .spread = made.iterations != 0 ? drawing::Spread::even : drawing::Spread::random};
     drawing::set_fields(tones, std::move(importance), options.inks);

@@ -72,6 +72,7 @@ Targets targets_of(StippleOptions& options) {
                     {"size-by-tone", &options.size_by_tone},
                     {"keep-inside", &options.keep_inside},
                     {"pen-path", &options.pen_path},
+                    {"path-line", &options.path_line},
                     {"plot-time", take_by<read_plot_time>(options.plot_seconds)},
                     {"seconds-per-dot", &options.plotter.seconds_per_dot},
                     {"seconds-per-metre", &options.plotter.seconds_per_metre}};

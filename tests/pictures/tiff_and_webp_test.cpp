@@ -1,0 +1,256 @@
+// Given a TIFF or WebP that libtiff or libwebp writes, its pixels are read back, upright.
+#include <gtest/gtest.h>
+#include <tiffio.h>
+#include <webp/encode.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "files/parse.h"
+#include "files/read_whole.h"
+#include "pictures/exif.h"
+#include "pictures/image.h"
+#include "pictures/pictures.h"
+
+namespace lacuna::pictures {
+namespace {
+
+struct Tiff {
+    std::uint32_t columns = 1;
+    std::uint32_t rows = 1;
+    unsigned bits = 8;
+    unsigned channels = 1;  // 2 and 4: the last is alpha, which did not multiply the others
+    unsigned photometric = PHOTOMETRIC_MINISBLACK;
+    unsigned compression = COMPRESSION_NONE;
+    std::uint32_t rows_of_strip = 3;
+    bool tiled = false;  // 16 x 16
+    int orientation = 1;
+    unsigned format = SAMPLEFORMAT_UINT;
+    const char* mode = "w";  // b: big-endian, 8: BigTIFF
+};
+
+// The samples in the machine's order, of 8, 16 or 32 bits.
+std::vector<std::uint8_t> raw(const Samples& samples, unsigned bits) {
+    std::vector<std::uint8_t> bytes;
+    for (const std::uint16_t sample : samples)
+        for (unsigned byte = 0; byte < bits / 8; ++byte)
+            bytes.push_back(static_cast<std::uint8_t>(byte < 2 ? sample >> (8 * byte) : 0));
+    return bytes;
+}
+
+std::string tiff_bytes(const Tiff& made, const Samples& samples) {
+    const std::string path = testing::TempDir() + "lacuna_test.tiff";
+    std::unique_ptr<TIFF, decltype(&TIFFClose)> tiff(TIFFOpen(path.c_str(), made.mode), TIFFClose);
+    const auto set = [&](std::uint32_t tag, unsigned value) {
+        TIFFSetField(tiff.get(), tag, value);
+    };
+    set(TIFFTAG_IMAGEWIDTH, made.columns);
+    set(TIFFTAG_IMAGELENGTH, made.rows);
+    set(TIFFTAG_BITSPERSAMPLE, made.bits);
+    set(TIFFTAG_SAMPLESPERPIXEL, made.channels);
+    set(TIFFTAG_PHOTOMETRIC, made.photometric);
+    set(TIFFTAG_COMPRESSION, made.compression);
+    set(TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    set(TIFFTAG_ORIENTATION, static_cast<unsigned>(made.orientation));
+    set(TIFFTAG_SAMPLEFORMAT, made.format);
+    if (made.channels % 2 == 0) {
+        const std::uint16_t alpha = EXTRASAMPLE_UNASSALPHA;
+        TIFFSetField(tiff.get(), TIFFTAG_EXTRASAMPLES, 1, &alpha);
+    }
+    std::vector<std::uint8_t> bytes = raw(samples, made.bits);
+    const std::size_t pixel = made.bits / 8 * made.channels;
+    if (!made.tiled) {
+        set(TIFFTAG_ROWSPERSTRIP, made.rows_of_strip);
+        for (std::uint32_t y = 0; y < made.rows; ++y)
+            TIFFWriteScanline(tiff.get(), bytes.data() + y * made.columns * pixel, y, 0);
+    } else {
+        constexpr std::uint32_t kSide = 16;
+        set(TIFFTAG_TILEWIDTH, kSide);
+        set(TIFFTAG_TILELENGTH, kSide);
+        for (std::uint32_t y = 0; y < made.rows; y += kSide)
+            for (std::uint32_t x = 0; x < made.columns; x += kSide) {
+                std::vector<std::uint8_t> tile(kSide * kSide * pixel);
+                for (std::uint32_t row = 0; row < std::min(kSide, made.rows - y); ++row)
+                    std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(
+                                                    ((y + row) * made.columns + x) * pixel),
+                                std::min(kSide, made.columns - x) * pixel,
+                                tile.begin() + static_cast<std::ptrdiff_t>(row * kSide * pixel));
+                TIFFWriteTile(tiff.get(), tile.data(), x, y, 0, 0);
+            }
+    }
+    tiff.reset();
+    return files::read_whole(path);
+}
+
+Samples noise(std::size_t count, unsigned max) {
+    Samples samples(count);
+    for (std::size_t i = 0; i < count; ++i)
+        samples[i] = static_cast<std::uint16_t>((i * 7919 + i * i * 31) % (max + 1));
+    return samples;
+}
+
+// What a PNG of the same samples gives, which png_test.cpp tests.
+std::vector<double> as_png(const Tiff& tiff, const Samples& samples) {
+    constexpr int kTypes[] = {0, 0, 4, 2, 6};  // PNG's colour type by the number of channels
+    return decode_image(png_bytes({tiff.columns, tiff.rows, static_cast<int>(tiff.bits),
+                                   kTypes[tiff.channels]},
+                                  samples),
+                        "png")
+        .luminance;
+}
+
+TEST(ATiff, GivesThePixelsOfThePngInStripsOrTilesOfAnyCompression) {
+    for (const unsigned bits : {8U, 16U})
+        for (const unsigned channels : {1U, 2U, 3U, 4U})
+            for (const int compression : {COMPRESSION_NONE, COMPRESSION_LZW})
+                for (const char* const mode : {"wl", "wb", "wb8"})
+                    for (const bool tiled : {false, true}) {
+                        if (tiled && (bits == 16 || channels == 2)) continue;
+                        Tiff tiff{37, 21, bits, channels};
+                        if (channels > 2) tiff.photometric = PHOTOMETRIC_RGB;
+                        tiff.compression = static_cast<unsigned>(compression);
+                        tiff.tiled = tiled;
+                        tiff.mode = mode;
+                        const Samples samples =
+                            noise(std::size_t{37} * 21 * channels, (1U << bits) - 1);
+                        const Image image = decode_image(tiff_bytes(tiff, samples), "file");
+                        ASSERT_EQ(image.columns, 37U);
+                        ASSERT_EQ(image.rows, 21U);
+                        const std::vector<double> expected = as_png(tiff, samples);
+                        // In tiles libtiff multiplies by alpha, and rounds.
+                        const double rounding = channels % 2 == 0 && tiled ? 1.0 / 255 : 1e-15;
+                        for (std::size_t i = 0; i < expected.size(); ++i)
+                            ASSERT_NEAR(image.luminance[i], expected[i], rounding)
+                                << bits << " " << channels << " " << mode << tiled << " " << i;
+                    }
+}
+
+TEST(ATiff, WhoseZeroIsWhiteIsInverted) {
+    for (const unsigned bits : {8U, 16U}) {
+        Tiff tiff{5, 4, bits};
+        const Samples samples = noise(20, (1U << bits) - 1);
+        const std::vector<double> black = decode_image(tiff_bytes(tiff, samples), "f").luminance;
+        tiff.photometric = PHOTOMETRIC_MINISWHITE;
+        const std::vector<double> white = decode_image(tiff_bytes(tiff, samples), "f").luminance;
+        for (std::size_t i = 0; i < 20; ++i) EXPECT_NEAR(white[i], 1 - black[i], 1e-15);
+    }
+}
+
+TEST(ATiff, IsTurnedUpright) {
+    for (const unsigned bits : {8U, 16U})
+        for (int orientation = 1; orientation <= 8; ++orientation)
+            for (const bool tiled : {false, true}) {
+                if (tiled && bits == 16) continue;
+                Tiff tiff{19, 20, bits};
+                tiff.tiled = tiled;
+                const Samples samples = noise(380, 255);
+                const Image expected =
+                    upright(decode_image(tiff_bytes(tiff, samples), "f"), orientation);
+                tiff.orientation = orientation;
+                const Image image = decode_image(tiff_bytes(tiff, samples), "f");
+                EXPECT_EQ(image.columns, expected.columns) << orientation;
+                EXPECT_EQ(image.luminance, expected.luminance) << orientation << tiled;
+            }
+}
+
+std::string refused(const std::string& bytes) {
+    try {
+        decode_image(bytes, "f");
+    } catch (const files::FileError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(ATiff, ThatIsBrokenOrOfAnotherKindIsRefused) {
+    Tiff tiff{40, 30, 32};
+    tiff.format = SAMPLEFORMAT_IEEEFP;
+    EXPECT_EQ(
+        refused(tiff_bytes(tiff, noise(1200, 9))),
+        "f: a TIFF of 32 bits a sample: must be 1 to 8 bits, or whole numbers of 16 bits, grey "
+        "or RGB, in rows");
+    tiff = {40, 30, 16};
+    tiff.format = SAMPLEFORMAT_INT;
+    EXPECT_EQ(refused(tiff_bytes(tiff, noise(1200, 9))).substr(0, 40),
+              "f: a TIFF of 16 bits a sample: must be 1");
+    tiff = {40, 30, 8};
+    tiff.compression = COMPRESSION_LZW;
+    const std::string whole = tiff_bytes(tiff, noise(1200, 255));
+    for (const std::size_t length : {std::size_t{4}, std::size_t{8}, whole.size() / 2})
+        EXPECT_EQ(refused(whole.substr(0, length)).substr(0, 33),
+                  "f: not a whole TIFF: libtiff says")
+            << refused(whole.substr(0, length));
+}
+
+std::string webp_bytes(int columns, int rows, int channels, const Samples& samples) {
+    const std::vector<std::uint8_t> pixels = raw(samples, 8);
+    std::uint8_t* encoded = nullptr;
+    const std::size_t size =
+        channels == 3 ? WebPEncodeLosslessRGB(pixels.data(), columns, rows, 3 * columns, &encoded)
+                      : WebPEncodeLosslessRGBA(pixels.data(), columns, rows, 4 * columns, &encoded);
+    const std::unique_ptr<std::uint8_t, decltype(&WebPFree)> owner(encoded, WebPFree);
+    return {reinterpret_cast<const char*>(encoded), size};
+}
+
+std::string little(std::uint32_t number, std::size_t bytes) {
+    std::string text;
+    for (std::size_t i = 0; i < bytes; ++i) text += static_cast<char>(number >> (8 * i) & 0xffU);
+    return text;
+}
+
+// The file with Exif's data, in WebP's extended form.
+std::string with_exif(const std::string& plain, std::uint32_t columns, std::uint32_t rows,
+                      const std::string& data) {
+    constexpr char kHasExif = 8;
+    std::string chunks = "WEBPVP8X" + little(10, 4) + std::string{kHasExif, 0, 0, 0} +
+                         little(columns - 1, 3) + little(rows - 1, 3) + plain.substr(12);
+    chunks += "EXIF" + little(static_cast<std::uint32_t>(data.size()), 4) + data;
+    if (data.size() % 2 == 1) chunks += '\0';
+    return "RIFF" + little(static_cast<std::uint32_t>(chunks.size()), 4) + chunks;
+}
+
+TEST(AWebp, GivesThePixelsOfThePng) {
+    for (const int channels : {3, 4}) {
+        Samples samples = noise(static_cast<std::size_t>(31 * 17 * channels), 255);
+        // Colours under full transparency are not kept.
+        for (std::size_t i = 3; channels == 4 && i < samples.size(); i += 4)
+            samples[i] = std::max<std::uint16_t>(samples[i], 1);
+        const Image image = decode_image(webp_bytes(31, 17, channels, samples), "file");
+        EXPECT_EQ(image.columns, 31U);
+        EXPECT_EQ(image.white, 1);
+        EXPECT_EQ(image.luminance, as_png({31, 17, 8, static_cast<unsigned>(channels)}, samples));
+    }
+}
+
+TEST(AWebp, AndAPngAreTurnedUprightAsExifSays) {
+    const Samples samples = noise(5 * 3 * 3, 255);
+    const std::string webp = webp_bytes(5, 3, 3, samples);
+    const std::string png = png_bytes({5, 3, 8, 2}, samples);
+    constexpr std::size_t kAfterHeader = 33;
+    for (int orientation = 1; orientation <= 8; ++orientation) {
+        const Image expected = upright(decode_image(png, "f"), orientation);
+        const std::string data = exif(orientation, orientation % 2 == 0).substr(6);
+        for (const std::string& bytes :
+             {with_exif(webp, 5, 3, data), with_exif(webp, 5, 3, exif(orientation, true)),
+              png.substr(0, kAfterHeader) + png_chunk("eXIf", data) + png.substr(kAfterHeader)}) {
+            const Image image = decode_image(bytes, "f");
+            EXPECT_EQ(image.columns, expected.columns);
+            EXPECT_EQ(image.luminance, expected.luminance) << orientation;
+        }
+    }
+}
+
+TEST(AWebp, ThatIsBrokenIsRefused) {
+    const std::string whole = webp_bytes(20, 20, 3, noise(1200, 255));
+    EXPECT_EQ(refused(whole.substr(0, 14)).substr(0, 22), "f: not a whole WebP: l");
+    EXPECT_EQ(refused(whole.substr(0, whole.size() / 2)),
+              "f: not a whole WebP: libwebp cannot decode it");
+}
+
+}  // namespace
+}  // namespace lacuna::pictures
