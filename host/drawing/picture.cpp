@@ -151,7 +151,8 @@ void stroke_dots(cairo_t* context, const files::PointSet& set, const Style& styl
 }
 
 std::string draw_png(const files::PointSet& set, const Style& style) {
-    const Page page = page_of(set, style, style.pixels_per_inch / kPointsPerInch);
+    const double resolution = resolution_of(set, style);
+    const Page page = page_of(set, style, resolution / kPointsPerInch);
     const auto pixels = [](double side) {
         return std::max(1, static_cast<int>(std::lround(side)));
     };
@@ -168,10 +169,21 @@ std::string draw_png(const files::PointSet& set, const Style& style) {
         else
             fill_ovals(context.get(), part, its_style, page);
     });
-    return png_of(surface.get(), style.pixels_per_inch);
+    return png_of(surface.get(), resolution);
 }
 
 }  // namespace
+
+double resolution_of(const files::PointSet& set, const Style& style) {
+    constexpr double kUsual = 144, kApart = 4, kLongest = 8192;
+    if (style.pixels_per_inch) return *style.pixels_per_inch;
+    const Page page = page_of(set, style, 1);  // in points
+    const double area = set.domain.width * set.domain.height * page.scale * page.scale;
+    const auto count = static_cast<double>(std::max<std::size_t>(set.points.size(), 1));
+    const double shown = kApart * kPointsPerInch / std::sqrt(area / count);
+    const double most = kLongest * kPointsPerInch / std::max(page.width, page.height);
+    return std::max(kUsual, std::floor(std::min(shown, most)));
+}
 
 std::string draw(const files::PointSet& set, Medium medium, const Style& style) {
     if (medium == Medium::svg) return draw_svg(set, style);

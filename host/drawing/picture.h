@@ -26,7 +26,7 @@ void check(const Paper& paper);
 struct Style {
     std::optional<Paper> sheet;  // none: the page is the domain, its longer side 512 points
     Colour paper_colour = kWhitePaper;
-    double pixels_per_inch = 144;         // only for png
+    std::optional<double> pixels_per_inch{};  // only for png; unset: resolution_of() chooses
     std::span<const double> diameters{};  // of each dot, in the domain's units; empty: all equal
     // Over 0: a line through the dots of each layer, in place of dots. It is as wide as the ink's
     // pen or, without one, as this, in the domain's units.
@@ -38,6 +38,10 @@ struct Style {
 
 // The length of a unit of the domain on the page.
 double millimetres_per_unit(const files::PointSet& set, const Style& style);
+
+// Pixels per inch of a png: as the style says, or 144, but so many that dots are 4 pixels apart on
+// average, as far as the longer side stays within 8192 pixels.
+double resolution_of(const files::PointSet& set, const Style& style);
 
 // The dots' sizes and positions on the page, for file formats with columns for them.
 files::Dots dots_of(const files::PointSet& set, const Style& style);

@@ -215,7 +215,8 @@ constexpr Row kRows[] = {
      "suit the picture"},
     {{"margin", "D", Kind::text, kDrawn},
      "Margin around the dots, with --paper-size (default 0mm)"},
-    {{"dpi", "X", Kind::number, kDrawn}, "Pixels per inch of .png (default 144)"},
+    {{"dpi", "X", Kind::number, kDrawn},
+     "Pixels per inch of .png (default 144, or more where dots would be under 4 pixels apart)"},
     {{"ellipse-columns", "", Kind::flag, kSample | kStipple},
      "Writes the ellipse of each point to .csv .npy .ply .json: its radii a and b, and the angle "
      "of a in radians"},

@@ -93,7 +93,7 @@ struct StippleCommand {
     CommonOptions common;  // its request is that of `stipple` once that is settled
     std::string image;     // path
     StippleOptions stipple;
-    double pixels_per_inch = DrawingOptions{}.pixels_per_inch;
+    std::optional<double> pixels_per_inch;
     bool ellipse_columns = false;
 };
 
@@ -170,14 +170,14 @@ Json json_of(const StippleCommand& all, const StippleOptions& options, const Sti
 
 // What the report has besides the set.
 Json report_of_the_rest(const StippleCommand& all, const std::vector<Output>& outputs,
-                        const Stippling& made, Json options) {
+                        const Stippling& made, double resolution, Json options) {
     if (has_picture(outputs))
         options.update(
             {{"dot_size_mm", json_of_pens(all.stipple.pens)},
              {"paper_mm",
               made.paper ? Json({made.paper->width_mm, made.paper->height_mm}) : Json(nullptr)},
              {"margin_mm", made.paper ? made.paper->margin_mm : 0},
-             {"dpi", all.pixels_per_inch}});
+             {"dpi", resolution}});
     Json more{{"request", std::move(options)},
               {"image", {{"columns", made.columns}, {"rows", made.rows}}}};
     if (made.relaxed) {
@@ -241,7 +241,9 @@ void run(const CommandLine& line, const StippleCommand& all) {
     Writing writing(interruption);
     if (!common.report.empty())
         writing.add(common.report, [&] {
-            return report_of(request, made, report_of_the_rest(all, outputs, dots, asked));
+            return report_of(
+                request, made,
+                report_of_the_rest(all, outputs, dots, drawing::resolution_of(set, style), asked));
         });
     write_set(writing, drawing, outputs, set, style, [&] { return dots.diameters; });
     sum_up(common, outputs, made, "dot", note_on_count(options, dots),

@@ -36,8 +36,9 @@ void check_pixels(const DrawingOptions& options) {
                                  ? std::max(options.paper->width_mm, options.paper->height_mm)
                                  : drawing::millimetres_per_unit(files::PointSet{}, {});
     const double most = std::floor(kMostPixels / (longer_mm / drawing::kMillimetresPerInch));
-    if (!(options.pixels_per_inch > 0 && options.pixels_per_inch <= most))
-        throw BadRequest("dpi", fmt::format("{}", options.pixels_per_inch),
+    if (!options.pixels_per_inch) return;
+    if (!(*options.pixels_per_inch > 0 && *options.pixels_per_inch <= most))
+        throw BadRequest("dpi", fmt::format("{}", *options.pixels_per_inch),
                          fmt::format("must be over 0 and, for this paper, at most {}: {} pixels "
                                      "along its longer side",
                                      most, kMostPixels));

@@ -21,8 +21,8 @@ namespace lacuna::cli {
 struct DrawingOptions {
     std::optional<Pens> pens;  // unset: dots have as much ink as the picture
     std::optional<Paper> paper;
-    double pixels_per_inch = drawing::Style{}.pixels_per_inch;
-    bool are_given = false;  // any of them, so that files have columns for dots
+    std::optional<double> pixels_per_inch;  // unset: as many as show the dots
+    bool are_given = false;                 // any of them, so that files have columns for dots
 };
 
 Targets targets_of(DrawingOptions& options);
