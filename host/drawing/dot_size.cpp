@@ -70,7 +70,7 @@ double importance_at(Point point, const Field& field, const Domain& domain) {
 }
 
 bool Sizing::varies() const {
-    return by_tone != 0 || is_line || (pens && pens->least_mm != pens->most_mm);
+    return by_tone != 0 || is_line || are_strokes || (pens && pens->least_mm != pens->most_mm);
 }
 
 double width_at(const Pens& pens, double importance) {
@@ -83,6 +83,7 @@ double width_at(const Pens& pens, double importance) {
 
 double Sizing::area_at(double importance) const {
     if (is_line) return 1 / importance;
+    if (are_strokes) return 1;
     if (!pens) return by_tone == 0 ? 1 : power(importance, by_tone);
     const double diameter = width_at(*pens, importance);
     return std::numbers::pi / 4 * diameter * diameter;
@@ -93,6 +94,7 @@ Field density_of(const Field& field, const Sizing& sizing) {
     for_each_polled(density.importance.size(), ask, [&](std::size_t i) {
         double& one = density.importance[i];
         if (one > 0) one /= sizing.area_at(one);
+        if (sizing.are_strokes) one /= std::sqrt(field.stretches[i].ratio);
     });
     return density;
 }

@@ -25,6 +25,8 @@ struct Sizing {
     // Or a line is drawn through all dots: its length near a dot grows with the root of their
     // density, so dots lie as densely as importance squared.
     bool is_line = false;
+    // Or dots are strokes of a pen along the field's stretches, as long as the root of their ratio.
+    bool are_strokes = false;
 
     bool varies() const;
     // The area of a dot: relative, or in mm^2 with pens.

@@ -1,4 +1,4 @@
-// Dots of ellipses in an svg.
+// Dots of ellipses in an svg, and strokes.
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
@@ -36,6 +36,26 @@ void append_ovals(std::string& bytes, const files::PointSet& set, const Style& s
         fmt::format_to(std::back_inserter(bytes),
                        FMT_COMPILE("M{:.4f} {:.4f}{}{:.4f} {:.4f}{}{:.4f} {:.4f}\n"), oval.x - x,
                        oval.y - y, arc, 2 * x, 2 * y, arc, -2 * x, -2 * y);
+    });
+    end_path();
+}
+
+void append_strokes(std::string& bytes, const files::PointSet& set, const Page& page) {
+    // A line of length 0 is not drawn by all programs.
+    constexpr double kShortest = 0.01;
+    std::size_t dots = 0;
+    const auto end_path = [&] { bytes += dots == 0 ? "" : "\"/>\n"; };
+    for_each_pen_stroke(set, page, [&](const PenStroke& stroke) {
+        if (dots % kDotsPerStroke == 0) {
+            end_path();
+            bytes += fmt::format("<path stroke-width=\"{:.6g}\" d=\"", stroke.width);
+        }
+        ++dots;
+        ask_after(16);
+        const bool is_dot = std::hypot(stroke.way_x, stroke.way_y) < kShortest;
+        fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("M{:.4f} {:.4f}l{:.4f} {:.4f}\n"),
+                       stroke.x, stroke.y, is_dot ? kShortest : stroke.way_x,
+                       is_dot ? 0.0 : stroke.way_y);
     });
     end_path();
 }

@@ -83,6 +83,27 @@ void for_each_oval(const files::PointSet& set, const Style& style, const Page& p
     }
 }
 
+// A stroke of a pen on the page, between the middles of its round ends.
+struct PenStroke {
+    double x;
+    double y;
+    double way_x;
+    double way_y;
+    double width;
+};
+
+// Calls `draw(stroke)` for each dot of a set whose ellipses are strokes.
+template <class Draw>
+void for_each_pen_stroke(const files::PointSet& set, const Page& page, const Draw& draw) {
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        const auto& [a, b, angle] = set.ellipses[i];
+        const double way = 2 * (a - b) * page.scale;
+        const double way_x = way * std::cos(angle), way_y = 0.0 - way * std::sin(angle);
+        draw(PenStroke{page.x_of(set.points[i]) - way_x / 2, page.y_of(set.points[i]) - way_y / 2,
+                       way_x, way_y, 2 * b * page.scale});
+    }
+}
+
 // Calls `draw(layer, dots, style)` for each layer: its index, its dots as a set of their own, and
 // the style with their diameters. A set without layers is drawn as one, with index 0.
 template <class Draw>

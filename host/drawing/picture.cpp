@@ -85,6 +85,20 @@ void fill_circles(cairo_t* context, const files::PointSet& set, const Style& sty
     });
 }
 
+void stroke_pen(cairo_t* context, const files::PointSet& set, const Page& page) {
+    cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
+    std::size_t dots = 0;
+    for_each_pen_stroke(set, page, [&](const PenStroke& stroke) {
+        ask_after(64);
+        cairo_set_line_width(context, stroke.width);
+        cairo_move_to(context, stroke.x, stroke.y);
+        cairo_rel_line_to(context, stroke.way_x, stroke.way_y);
+        if (++dots % kDotsPerStroke == 0) cairo_stroke(context);
+    });
+    cairo_stroke(context);
+    check(cairo_status(context));
+}
+
 void fill_ovals(cairo_t* context, const files::PointSet& set, const Style& style,
                 const Page& page) {
     std::size_t dots = 0;
@@ -122,7 +136,9 @@ std::string draw_pdf(const files::PointSet& set, const Style& style) {
     {
         const Context context = make_context(surface.get(), style);
         draw_layers(context.get(), set, style, page, [&](const auto& part, const Style& its_style) {
-            if (part.ellipses.empty())
+            if (style.are_strokes)
+                stroke_pen(context.get(), part, page);
+            else if (part.ellipses.empty())
                 fill_circles(context.get(), part, its_style, page);
             else
                 fill_ovals(context.get(), part, its_style, page);
@@ -164,7 +180,9 @@ std::string draw_png(const files::PointSet& set, const Style& style) {
     const Context context = make_context(surface.get(), style);
     if (is_grey) cairo_set_operator(context.get(), CAIRO_OPERATOR_CLEAR);
     draw_layers(context.get(), set, style, page, [&](const auto& part, const Style& its_style) {
-        if (part.ellipses.empty())
+        if (style.are_strokes)
+            stroke_pen(context.get(), part, page);
+        else if (part.ellipses.empty())
             stroke_dots(context.get(), part, its_style, page);
         else
             fill_ovals(context.get(), part, its_style, page);

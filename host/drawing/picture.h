@@ -28,6 +28,8 @@ struct Style {
     Colour paper_colour = kWhitePaper;
     std::optional<double> pixels_per_inch{};  // only for png; unset: resolution_of() chooses
     std::span<const double> diameters{};  // of each dot, in the domain's units; empty: all equal
+    // Ellipses are strokes of a pen of 2 b, 2 a long with their round ends.
+    bool are_strokes = false;
     // Over 0: a line through the dots of each layer, in place of dots. It is as wide as the ink's
     // pen or, without one, as this, in the domain's units.
     double line_width = 0;

@@ -113,6 +113,8 @@ std::string draw_svg(const files::PointSet& set, const Style& style) {
         bytes += group_head(set.layers, layer, style.paper_colour);
         if (style.line_width > 0)
             append_line(bytes, part.points, line_width_of(set, layer, style, page), page);
+        else if (style.are_strokes)
+            append_strokes(bytes, part, page);
         else if (part.ellipses.empty())
             for_each_stroke(part, its_style, draw_dots);
         else

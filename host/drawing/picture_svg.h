@@ -19,5 +19,7 @@ std::string program_text(const files::Origin& origin);
 // to the other and back.
 void append_ovals(std::string& bytes, const files::PointSet& set, const Style& style,
                   const Page& page);
+// The same for strokes: lines with round ends.
+void append_strokes(std::string& bytes, const files::PointSet& set, const Page& page);
 
 }  // namespace lacuna::drawing

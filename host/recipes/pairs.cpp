@@ -74,6 +74,7 @@ constexpr Pairs kPairs[] = {
      Needs::none_of, "inks", "dots of inks begin stratified"},
     {kStipple, "ink-counts", Needs::none_of, "count", "both give the number of dots"},
     {kStipple, "pens", Needs::none_of, "dot-size size-by-tone", "both say how large dots are"},
+    {kStipple, "pens", Needs::none_of, "along", "strokes are of one pen: give --dot-size"},
     {kStipple, "path-line", Needs::none_of, "along pens size-by-tone keep-inside scale",
      "a line has no dots of its own"},
     {kStipple, "plot-time", Needs::none_of, "count scale limit ink-counts",

@@ -211,6 +211,31 @@ TEST(Stippling, InInksWithPensOfTheirOwnHasAsMuchInkOfEachAsThePictureNeeds) {
     EXPECT_NEAR(80 * made.diameters.back(), 1, 1e-12);
 }
 
+TEST(Stippling, AlongEdgesWithAPenHasStrokesOfItsWidthAndOfThePicturesInk) {
+    StippleOptions options{.tone = {.along = 5}, .pens = Pens{0.5, 0.5}, .paper = Paper{100, 100}};
+    for (const std::uint64_t count : {0U, 500U}) {
+        if (count != 0) options.request.count = count;
+        const Stippling made = stipple(ramp(), options);
+        ASSERT_TRUE(made.are_strokes);
+        double area = 0;
+        for (const Ellipse& stroke : made.ellipses) {
+            EXPECT_NEAR(200 * stroke.b, 0.5, 1e-12);
+            EXPECT_GE(stroke.a, stroke.b);
+            area += 200 * (stroke.a - stroke.b) * 0.5 + 3.14159265 / 4 * 0.25;
+        }
+        EXPECT_NEAR(area, 5000, 5) << "half of 100 mm x 100 mm";
+        EXPECT_GT(made.path_length, made.admitted_length) << "with the strokes";
+        // The ramp's edges go up, and so do the strokes.
+        EXPECT_NEAR(std::abs(std::sin(made.ellipses.front().angle)), 1, 0.1);
+    }
+    EXPECT_EQ(refusal_of([&] {
+                  options.request.count.reset();
+                  options.plot_seconds = 5;
+                  stipple(ramp(), options);
+              }),
+              "plot-time 5 s: the strokes alone take 50 s: give a wider --dot-size");
+}
+
 TEST(Stippling, AsALineHasAsMuchInkAsThePictureIsDark) {
     // Black at the left, half grey at the right: a quarter as many dots there.
     const Picture halves{"P2 2 1 2 0 1", "halves"};
@@ -336,6 +361,8 @@ TEST(Stippling, RefusesWhatCannotBe) {
         {"black-ink 1 with --paper-colour: is for white paper",
          {.inks = red, .black_ink = 1, .paper_colour = {0, 0, 0}}},
         {"paper-colour #202020: is too dark for black dots", {.paper_colour = {32, 32, 32}}},
+        {"dot-size 0.3mm..0.5mm: must be one pen with --along",
+         {.tone = {.along = 3}, .pens = Pens{0.3, 0.5}}},
         {"path-line with --keep-inside: a line has no dots",
          {.keep_inside = true, .path_line = true}},
         {"pens 0.4mm: must be widths", {.pens = Pens{0.5, 0.6, {0.5, 0.4, 0.6}}}},

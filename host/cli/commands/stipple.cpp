@@ -231,6 +231,7 @@ void run(const CommandLine& line, const StippleCommand& all) {
     const Json asked = json_of(all, options, dots);
     const files::Origin origin = origin_of(line, request, made.result, asked);
     drawing::Style style = style_of(drawing, request.domain);
+    style.are_strokes = dots.are_strokes;
     style.line_width = dots.line_width;
     style.paper_colour = options.paper_colour;
     style.for_a_pen = dots.is_for_a_pen;

@@ -102,8 +102,11 @@ struct Stippling {
     // The dots, ink by ink, in order of admission or of the pen's path. If they were moved, the
     // radius is the least distance of two dots, 0 if there are fewer.
     Result result{};
-    std::vector<double> diameters{};   // of each dot, in the domain's unit
-    std::vector<Ellipse> ellipses{};   // of each dot, with Tone::along
+    std::vector<double> diameters{};  // of each dot, in the domain's unit
+    // With Tone::along: of each dot. With a pen it is a stroke: 2 a long with its round ends, and
+    // 2 b wide, as the pen is.
+    std::vector<Ellipse> ellipses{};
+    bool are_strokes = false;
     std::vector<Layer> layers{};       // the inks, or pens, and their dots; empty: black
     std::uint32_t iterations = 0;      // how often the dots were moved
     std::optional<Relaxed> relaxed{};  // how, without the points

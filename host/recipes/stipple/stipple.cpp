@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numbers>
 #include <numeric>
 #include <span>
 #include <string>
@@ -19,126 +20,23 @@
 #include "drawing/pen/pen_path.h"
 #include "drawing/tones.h"
 #include "files/point_files.h"
-#include "pictures/importance.h"
 #include "plan/checked_request.h"
 #include "recipes/make.h"
-#include "recipes/settle.h"
-#include "recipes/targets.h"
+#include "recipes/stipple/settled.h"
 
 namespace lacuna {
 namespace {
-
-bool has_ellipses(const StippleOptions& options) {
-    return options.tone.along != 1;
-}
 
 std::uint64_t sum_of(std::span<const std::uint64_t> counts) {
     return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
-// What was given, as a command line.
-recipes::CommandLine line_of(StippleOptions options) {
-    StippleOptions usual;
-    recipes::CommandLine line{recipes::kStipple,
-                              recipes::given_in(recipes::kStipple, recipes::targets_of(options),
-                                                recipes::targets_of(usual))};
-    if (!options.inks.empty()) line.given.push_back({"inks", {options.inks.front().name}});
-    if (!options.ink_counts.empty())
-        line.given.push_back({"ink-counts", {std::to_string(options.ink_counts.front())}});
-    if (options.paper_colour != kWhitePaper)
-        line.given.push_back({"paper-colour", {files::hex_of(options.paper_colour)}});
-    if (options.plot_seconds)
-        line.given.push_back({"plot-time", {shortest(*options.plot_seconds) + "s"}});
-    return line;
-}
-
-// Whether dark dots show on the paper: the brightness of its colour.
-bool is_dark(const Colour& paper) {
-    constexpr int kDark = 96;
-    return std::max({paper[0], paper[1], paper[2]}) < kDark;
-}
-
-void check_inks(const StippleOptions& options) {
-    const std::string paper = files::hex_of(options.paper_colour);
-    for (const Ink& ink : options.inks)
-        if (ink.colour == options.paper_colour)
-            throw BadRequest("inks", ink.name,
-                             "is the colour of the paper, " + paper +
-                                 ", where it would not show: see --paper-colour");
-    if (options.inks.empty() && is_dark(options.paper_colour))
-        throw BadRequest("paper-colour", paper,
-                         "is too dark for black dots: give --inks, such as white");
-    const auto& counts = options.ink_counts;
-    if (counts.empty()) return;
-    if (counts.size() != options.inks.size())
-        throw BadRequest("ink-counts", fmt::format("{} numbers", counts.size()),
-                         fmt::format("must be one for each ink, {}", options.inks.size()));
-    if (sum_of(counts) == 0) throw BadRequest("ink-counts", "0", "must not be 0 for all inks");
-}
-
-void check_pens(const StippleOptions& options) {
-    const auto refuse_unless = [](bool is_allowed, const char* option, double mm) {
-        if (!is_allowed)
-            throw BadRequest(option, shortest(mm) + "mm",
-                             "must be widths over 0, in ascending order");
-    };
-    for (const Ink& ink : options.inks)
-        refuse_unless(ink.pen_mm >= 0 && std::isfinite(ink.pen_mm), "inks", ink.pen_mm);
-    if (!options.pens) return;
-    const auto& [least, most, widths] = *options.pens;
-    refuse_unless(least > 0, "pens", least);
-    refuse_unless(least <= most && std::isfinite(most), "pens", most);
-    for (std::size_t i = 0; i < widths.size(); ++i)
-        refuse_unless(widths[i] >= (i == 0 ? least : widths[i - 1]) && widths[i] <= most, "pens",
-                      widths[i]);
-}
-
-void check_plotter(const StippleOptions& options) {
-    const auto check = [](const char* name, double seconds) {
-        if (!(seconds >= 0 && std::isfinite(seconds)))
-            throw BadRequest(name, shortest(seconds), "must be a finite number of at least 0");
-    };
-    check("seconds-per-dot", options.plotter.seconds_per_dot);
-    check("seconds-per-metre", options.plotter.seconds_per_metre);
-    if (!options.plot_seconds) return;
-    check("plot-time", *options.plot_seconds);
-    if (options.plotter.seconds_per_dot == 0 && options.plotter.seconds_per_metre == 0)
-        throw BadRequest("plot-time", shortest(*options.plot_seconds),
-                         "needs a plotter that takes more than 0 seconds");
-}
-
-// A stippling without dots: its request has the mode and the metric.
-Stippling settled(const StippleOptions& options) {
-    pictures::check(options.tone);
-    recipes::refuse_pairs(line_of(options));
-    if (options.start == Mode::lines)
-        throw BadRequest("mode", "lines", "must be stratified, cells or exact");
-    check_inks(options);
-    if (!(options.size_by_tone >= 0 && options.size_by_tone <= 1))
-        throw BadRequest("size-by-tone", shortest(options.size_by_tone), "must be 0 to 1");
-    if (options.size_by_tone != 0 && options.pens)
-        throw BadRequest("size-by-tone", shortest(options.size_by_tone),
-                         "is not for a --dot-size in mm; give two, such as 0.3mm..0.8mm");
-    if (options.paper) drawing::check(*options.paper);
-    check_pens(options);
-    check_plotter(options);
-    const recipes::Given given{.is_picture = true,
-                               .has_inks = !options.inks.empty(),
-                               .has_ellipses = has_ellipses(options),
-                               .mode = options.start,
-                               .metric = options.metric,
-                               .relax = options.relax};
-    Stippling made{.request = options.request};
-    made.iterations = recipes::relax_of(given);
-    made.paper_colour = options.paper_colour;
-    made.is_for_a_pen = options.pen_path || options.path_line || options.plot_seconds;
-    recipes::settle(given, made.request);
-    recipes::check_moves(made.request, {.iterations = made.iterations});
-    return made;
-}
-
 // Makes the dots of a picture's tones, step by step.
 class Stippler {
+    // The scale of strokes, in pens' widths, where the picture is black. Of a maximal set the disks
+    // of radius R cover 0.697 R^2 times their number: strokes 1.6 R long then have the ink.
+    static constexpr double kStrokesApart = 1.6 * 0.697;
+
 public:
     Stippler(Stippling& made, drawing::Tones& tones, const StippleOptions& options,
              Observer& observer)
@@ -167,6 +65,7 @@ public:
         if (!request().field->stretches.empty())
             made_.ellipses = ellipses_of(made_.result.points, *request().field, made_.result.scale,
                                          request().domain);
+        if (made_.are_strokes) turn_into_strokes();
         made_.layers = std::move(layers_);
         request().field = nullptr;
     }
@@ -187,7 +86,9 @@ private:
             request().count = sum_of(counts);
         else if (options_.plot_seconds)
             request().count = drawing::plotted_count(tones_, request().domain, style_, plotter(),
-                                                     *options_.plot_seconds);
+                                                     seconds_for_dots());
+        else if (made_.are_strokes && !request().count && !request().scale)
+            request().scale = kStrokesApart * pen();
         else if (options_.path_line && options_.pens && !request().count)
             request().count =
                 drawing::count_of_line(tones_, request().domain, style_, options_.pens->least_mm);
@@ -258,13 +159,55 @@ private:
         made_.diameters = drawing::diameters_of(tones_, dots(), style_);
     }
 
+    // The width of the pen, in the domain's unit.
+    double pen() { return options_.pens->least_mm / drawing::millimetres_per_unit(dots(), style_); }
+
+    // The area that the picture's darkness asks for.
+    double ink() {
+        const Domain& domain = request().domain;
+        return drawing::darkness_of(tones_.all()) * domain.width * domain.height;
+    }
+
+    double seconds_of_path(double length) {
+        return drawing::seconds_of({0, options_.plotter.seconds_per_metre}, 0,
+                                   length * drawing::millimetres_per_unit(dots(), style_));
+    }
+
+    // The time without that of drawing strokes, whose length does not depend on their number.
+    double seconds_for_dots() {
+        const double seconds = *options_.plot_seconds;
+        if (!made_.are_strokes) return seconds;
+        const double drawing = seconds_of_path(ink() / pen());
+        if (drawing >= seconds)
+            throw BadRequest(
+                "plot-time", time_text(seconds),
+                "the strokes alone take " + time_text(drawing) + ": give a wider --dot-size");
+        return seconds - drawing;
+    }
+
+    // Makes strokes of the ellipses: as long as the root of their ratio of radii, so that all
+    // strokes together have as much ink as the picture is dark.
+    void turn_into_strokes() {
+        const auto count = static_cast<double>(made_.ellipses.size());
+        double roots = 0;
+        for (const Ellipse& one : made_.ellipses) roots += std::sqrt(one.a / one.b);
+        // A stroke has round ends: of its length times the width they lack 1 - pi / 4 squares.
+        const double lacking = count * pen() * (1 - std::numbers::pi / 4);
+        const double length = (ink() / pen() + lacking) / roots;
+        double drawn = 0;
+        for (Ellipse& one : made_.ellipses) {
+            one.a = std::max(pen(), length * std::sqrt(one.a / one.b)) / 2;
+            one.b = pen() / 2;
+            drawn += 2 * (one.a - one.b);
+        }
+        made_.path_length += drawn;
+        made_.plot_seconds += seconds_of_path(drawn);
+        made_.dots_for_ink = 0;
+    }
+
     // The width at which the line has as much ink as the picture is dark, or that of the pen.
     void find_width() {
-        const Domain& domain = request().domain;
-        const double ink = drawing::darkness_of(tones_.all()) * domain.width * domain.height;
-        made_.line_width =
-            options_.pens ? options_.pens->least_mm / drawing::millimetres_per_unit(dots(), style_)
-                          : ink / std::max(made_.path_length, ink);
+        made_.line_width = options_.pens ? pen() : ink() / std::max(made_.path_length, ink());
     }
 
     Stippling& made_;
@@ -277,18 +220,15 @@ private:
 
 }  // namespace
 
-void check(const StippleOptions& options) {
-    settled(options);
-}
-
 Stippling stipple(std::vector<Field> importance, const StippleOptions& options,
                   Observer& observer) {
-    Stippling made = settled(options);
+    Stippling made = recipes::settled(options);
     Asked asked(observer, {0, options.request.count.value_or(1), 0});
     drawing::Tones tones{
         .sizing = {.by_tone = options.size_by_tone,
                    .pens = options.pens,
-                   .is_line = options.path_line},
+                   .is_line = options.path_line,
+                   .are_strokes = made.are_strokes},
         .keep_inside = options.keep_inside,
         .spread = made.iterations != 0 ? drawing::Spread::even : drawing::Spread::random};
     drawing::set_fields(tones, std::move(importance), options.inks);

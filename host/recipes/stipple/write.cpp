@@ -17,6 +17,7 @@ void write_stippling(const std::string& path, const Stippling& stippling) {
     drawing::Style style;
     style.sheet = stippling.paper;
     style.diameters = stippling.diameters;
+    style.are_strokes = stippling.are_strokes;
     style.line_width = stippling.line_width;
     style.paper_colour = stippling.paper_colour;
     style.for_a_pen = stippling.is_for_a_pen;

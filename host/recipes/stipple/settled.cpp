@@ -1,0 +1,139 @@
+// What stipple() refuses whatever the picture is, and what follows from options.
+#include "recipes/stipple/settled.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <string>
+
+#include "base/number_text.h"
+#include "drawing/picture.h"
+#include "files/point_files.h"
+#include "pictures/importance.h"
+#include "recipes/make.h"
+#include "recipes/settle.h"
+#include "recipes/targets.h"
+
+namespace lacuna {
+namespace {
+
+bool has_ellipses(const StippleOptions& options) {
+    return options.tone.along != 1;
+}
+
+// What was given, as a command line.
+recipes::CommandLine line_of(StippleOptions options) {
+    StippleOptions usual;
+    recipes::CommandLine line{recipes::kStipple,
+                              recipes::given_in(recipes::kStipple, recipes::targets_of(options),
+                                                recipes::targets_of(usual))};
+    if (!options.inks.empty()) line.given.push_back({"inks", {options.inks.front().name}});
+    if (!options.ink_counts.empty())
+        line.given.push_back({"ink-counts", {std::to_string(options.ink_counts.front())}});
+    if (options.paper_colour != kWhitePaper)
+        line.given.push_back({"paper-colour", {files::hex_of(options.paper_colour)}});
+    if (options.plot_seconds)
+        line.given.push_back({"plot-time", {shortest(*options.plot_seconds) + "s"}});
+    return line;
+}
+
+// Whether dark dots show on the paper: the brightness of its colour.
+bool is_dark(const Colour& paper) {
+    constexpr int kDark = 96;
+    return std::max({paper[0], paper[1], paper[2]}) < kDark;
+}
+
+void check_inks(const StippleOptions& options) {
+    const std::string paper = files::hex_of(options.paper_colour);
+    for (const Ink& ink : options.inks)
+        if (ink.colour == options.paper_colour)
+            throw BadRequest("inks", ink.name,
+                             "is the colour of the paper, " + paper +
+                                 ", where it would not show: see --paper-colour");
+    if (options.inks.empty() && is_dark(options.paper_colour))
+        throw BadRequest("paper-colour", paper,
+                         "is too dark for black dots: give --inks, such as white");
+    const auto& counts = options.ink_counts;
+    if (counts.empty()) return;
+    if (counts.size() != options.inks.size())
+        throw BadRequest("ink-counts", fmt::format("{} numbers", counts.size()),
+                         fmt::format("must be one for each ink, {}", options.inks.size()));
+    if (std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}) == 0)
+        throw BadRequest("ink-counts", "0", "must not be 0 for all inks");
+}
+
+void check_pens(const StippleOptions& options) {
+    const auto refuse_unless = [](bool is_allowed, const char* option, double mm) {
+        if (!is_allowed)
+            throw BadRequest(option, shortest(mm) + "mm",
+                             "must be widths over 0, in ascending order");
+    };
+    for (const Ink& ink : options.inks)
+        refuse_unless(ink.pen_mm >= 0 && std::isfinite(ink.pen_mm), "inks", ink.pen_mm);
+    if (!options.pens) return;
+    const auto& [least, most, widths] = *options.pens;
+    if (has_ellipses(options) && least != most)
+        throw BadRequest("dot-size", shortest(least) + "mm.." + shortest(most) + "mm",
+                         "must be one pen with --along, whose dots are strokes");
+    refuse_unless(least > 0, "pens", least);
+    refuse_unless(least <= most && std::isfinite(most), "pens", most);
+    for (std::size_t i = 0; i < widths.size(); ++i)
+        refuse_unless(widths[i] >= (i == 0 ? least : widths[i - 1]) && widths[i] <= most, "pens",
+                      widths[i]);
+}
+
+void check_plotter(const StippleOptions& options) {
+    const auto check = [](const char* name, double seconds) {
+        if (!(seconds >= 0 && std::isfinite(seconds)))
+            throw BadRequest(name, shortest(seconds), "must be a finite number of at least 0");
+    };
+    check("seconds-per-dot", options.plotter.seconds_per_dot);
+    check("seconds-per-metre", options.plotter.seconds_per_metre);
+    if (!options.plot_seconds) return;
+    check("plot-time", *options.plot_seconds);
+    if (options.plotter.seconds_per_dot == 0 && options.plotter.seconds_per_metre == 0)
+        throw BadRequest("plot-time", shortest(*options.plot_seconds),
+                         "needs a plotter that takes more than 0 seconds");
+}
+
+}  // namespace
+
+Stippling recipes::settled(const StippleOptions& options) {
+    pictures::check(options.tone);
+    recipes::refuse_pairs(line_of(options));
+    if (options.start == Mode::lines)
+        throw BadRequest("mode", "lines", "must be stratified, cells or exact");
+    check_inks(options);
+    if (!(options.size_by_tone >= 0 && options.size_by_tone <= 1))
+        throw BadRequest("size-by-tone", shortest(options.size_by_tone), "must be 0 to 1");
+    if (options.size_by_tone != 0 && options.pens)
+        throw BadRequest("size-by-tone", shortest(options.size_by_tone),
+                         "is not for a --dot-size in mm; give two, such as 0.3mm..0.8mm");
+    if (options.paper) drawing::check(*options.paper);
+    check_pens(options);
+    check_plotter(options);
+    const recipes::Given given{.is_picture = true,
+                               .has_inks = !options.inks.empty(),
+                               .has_ellipses = has_ellipses(options),
+                               .mode = options.start,
+                               .metric = options.metric,
+                               .relax = options.relax};
+    Stippling made{.request = options.request};
+    made.iterations = recipes::relax_of(given);
+    made.are_strokes = has_ellipses(options) && options.pens;
+    made.paper_colour = options.paper_colour;
+    made.is_for_a_pen = options.pen_path || options.path_line || options.plot_seconds;
+    recipes::settle(given, made.request);
+    recipes::check_moves(made.request, {.iterations = made.iterations});
+    return made;
+}
+
+void check(const StippleOptions& options) {
+    recipes::settled(options);
+}
+
+}  // namespace lacuna

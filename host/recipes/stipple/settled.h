@@ -1,0 +1,12 @@
+// The options of stipple(), checked, and what follows from them.
+#pragma once
+
+#include <lacuna/stipple.h>
+
+namespace lacuna::recipes {
+
+// A stippling without dots: its request has the mode and the metric. Throws BadRequest for options
+// that stipple() refuses with every picture.
+Stippling settled(const StippleOptions& options);
+
+}  // namespace lacuna::recipes
