@@ -194,15 +194,31 @@ private:
         // A stroke has round ends: of its length times the width they lack 1 - pi / 4 squares.
         const double lacking = count * pen() * (1 - std::numbers::pi / 4);
         const double length = (ink() / pen() + lacking) / roots;
-        double drawn = 0;
-        for (Ellipse& one : made_.ellipses) {
-            one.a = std::max(pen(), length * std::sqrt(one.a / one.b)) / 2;
-            one.b = pen() / 2;
-            drawn += 2 * (one.a - one.b);
-        }
-        made_.path_length += drawn;
-        made_.plot_seconds += seconds_of_path(drawn);
+        for (Ellipse& one : made_.ellipses)
+            one = {std::max(pen(), length * std::sqrt(one.a / one.b)) / 2, pen() / 2, one.angle};
         made_.dots_for_ink = 0;
+        time_the_strokes();
+    }
+
+    // The pen goes from the end of a stroke to the nearer end of the next one.
+    void time_the_strokes() {
+        double& path = made_.path_length = 0;
+        Point from = made_.result.points.empty() ? Point{} : made_.result.points.front();
+        for (std::size_t i = 0; i < made_.ellipses.size(); ++i) {
+            auto& [a, b, angle] = made_.ellipses[i];
+            const Point middle = made_.result.points[i];
+            const double x = (a - b) * std::cos(angle), y = (a - b) * std::sin(angle);
+            const auto way_to = [&](double sign) {
+                return std::hypot(middle.x + sign * x - from.x, middle.y + sign * y - from.y);
+            };
+            const bool turns = way_to(1) < way_to(-1);
+            path += std::min(way_to(1), way_to(-1)) + 2 * (a - b);
+            from = {middle.x + (turns ? -x : x), middle.y + (turns ? -y : y)};
+            if (turns) angle += std::numbers::pi;
+        }
+        made_.plot_seconds =
+            drawing::seconds_of(options_.plotter, made_.ellipses.size(),
+                                path * drawing::millimetres_per_unit(dots(), style_));
     }
 
     // The width at which the line has as much ink as the picture is dark, or that of the pen.
