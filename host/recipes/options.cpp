@@ -35,6 +35,8 @@ constexpr Row kRows[] = {
     {{"IMAGE", "", Kind::read_file, kStipple, {.is_required = true}},
      "The picture; - is standard input"},
     {{"IMAGE", "", Kind::read_file, kMoved | kCompare}, "The picture; - is standard input"},
+    {{"SIZE", "", Kind::text, kMask, {.is_required = true}},
+     "Its sides in pixels, WIDTHxHEIGHT, each 8 to 1024"},
     {{"WHAT",
       "...",
       Kind::word,
@@ -155,6 +157,8 @@ constexpr Row kRows[] = {
      "its own: where channels are equal, one seed puts their dots on the same spots"},
     {{"seed", "S", Kind::whole, kOrder},
      "Another seed gives another order of the points of a level (default 0)"},
+    {{"seed", "S", Kind::whole, kMask}, "Another seed gives another tile (default 0)"},
+    {{"bits", "B", Kind::whole, kMask}, "Bits of a pixel, 8 or 16 (default 16)"},
     {{"seeds", "A..B", Kind::text, kSample},
      "A set for each seed from A to B, both included; each goes to a file of its own: every "
      "--output has {seed} in its name. Instead of --seed"},
@@ -299,6 +303,12 @@ constexpr Row kRows[] = {
       kCompare,
       {.alias = "o", .repeats = true, .decides_points = false}},
      "A bar chart of the times: {pictures}"},
+    {{"output",
+      "FILE.png",
+      Kind::written_file,
+      kMask,
+      {.alias = "o", .repeats = true, .is_required = true, .decides_points = false}},
+     "A grey .png; - is standard output"},
     {{"output", "FOLDER", Kind::written_file, kReproduce, {.alias = "o", .decides_points = false}},
      "A folder for a .json and a picture of each item; it is made if it is missing"},
     {{"output",
@@ -335,6 +345,7 @@ constexpr Row kRows[] = {
      "Shows the progress bar although standard error is no terminal under mpirun"},
     {{"quiet", "", Kind::flag, kReported, {.decides_points = false}},
      "No progress bar, no warning and no summary at the end"},
+    {{"quiet", "", Kind::flag, kMask}, "No summary at the end"},
     {{"quiet", "", Kind::flag, kOrder}, "No summary at the end, and no warning"},
     {{"quiet", "", Kind::flag, kVerify},
      "Print nothing; only the exit code says whether all claims hold"},
@@ -349,9 +360,9 @@ constexpr auto kOptions = [] {
     return options;
 }();
 
-constexpr std::array<std::string_view, 10> kCommands{"sample",  "stipple", "relax",   "order",
+constexpr std::array<std::string_view, 11> kCommands{"sample",  "stipple", "relax",   "order",
                                                      "verify",  "analyze", "compare", "reproduce",
-                                                     "devices", "sample"};
+                                                     "devices", "sample",  "mask"};
 
 }  // namespace
 

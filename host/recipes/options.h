@@ -24,6 +24,7 @@ inline constexpr Commands kCompare = 64;
 inline constexpr Commands kReproduce = 128;
 inline constexpr Commands kDevices = 256;
 inline constexpr Commands kMpiSample = 512;
+inline constexpr Commands kMask = 1024;
 
 std::string_view name_of_command(Commands command);
 // Unset if no command of the program lacuna has this name.

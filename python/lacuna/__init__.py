@@ -7,7 +7,7 @@
 
 ``sample`` makes maximal Poisson-disk sets, ``stipple`` turns pictures into dots, and ``relax``
 makes any set more even. ``verify`` proves or refutes that a set is maximal, and ``analyze``
-measures it. ``read_polygons`` and ``draw_mask`` turn outlines into masks. ``devices`` lists
+measures it. ``threshold_mask`` makes tiles for dithering. ``read_polygons`` and ``draw_mask`` turn outlines into masks. ``devices`` lists
 backends and devices. ``lacuna.qmc`` has an engine like those in scipy.stats.qmc.
 """
 
@@ -23,6 +23,7 @@ from ._relax import relax
 from ._sample import sample, sample_many
 from ._sets import Evenness, PointSet, Relaxed, Stippling
 from ._stipple import stipple
+from ._thresholds import threshold_mask
 from ._verify import Verdict, verify
 
 __version__: str = _core.version
@@ -30,7 +31,7 @@ __all__ = [
     "Analysis", "BadRequest", "Device", "DeviceError", "Error", "Evenness", "FileError",
     "MemoryRefused", "PointSet", "Polygons", "Relaxed", "Stippling", "Unavailable", "Verdict",
     "analyze", "devices", "domain_around", "draw_mask", "order", "read_lines", "read_polygons",
-    "relax", "sample", "sample_many", "stipple", "verify",
+    "relax", "sample", "sample_many", "stipple", "threshold_mask", "verify",
 ]  # fmt: skip
 
 if TYPE_CHECKING:

@@ -4,6 +4,7 @@
 #include <lacuna/many.h>
 #include <lacuna/order.h>
 #include <lacuna/pictures.h>
+#include <lacuna/threshold_mask.h>
 #include <lacuna/verify.h>
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
@@ -264,6 +265,15 @@ nb::object order_points(const PointArray& array, const Field* field, const nb::d
     return array_of(std::move(order));
 }
 
+nb::object ranks_of_mask(std::uint32_t columns, std::uint32_t rows, std::uint64_t seed) {
+    ThresholdMask mask;
+    {
+        const Unlocked unlocked;
+        mask = threshold_mask(columns, rows, seed);
+    }
+    return array_of(std::move(mask.ranks));
+}
+
 }  // namespace
 
 void add_sampling(nb::module_& module) {
@@ -282,6 +292,7 @@ void add_sampling(nb::module_& module) {
                nb::arg().none(), nb::arg().none(), nb::arg().none());
     module.def("sample_many", sample_many_points, nb::arg(), nb::arg(), nb::arg().none());
     module.def("relax", relax_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none());
+    module.def("threshold_mask", ranks_of_mask);
     module.def("progressive_order", order_points, nb::arg(), nb::arg().none(), nb::arg());
 }
 

@@ -40,3 +40,15 @@ def test_a_progressive_set_has_levels() -> None:
     assert len(more) > 20 and more[0][0] < radius and count < more[-1][1] <= 60
     many = lacuna.sample_many([2], n=60, torus=True, progressive=True)
     assert many[0].levels == made.levels
+
+
+def test_a_threshold_mask_has_each_rank_once_and_a_seed() -> None:
+    ranks = lacuna.threshold_mask(32, 16, seed=3)
+    assert ranks.shape == (16, 32) and ranks.dtype == np.uint32
+    assert (np.sort(ranks, axis=None) == np.arange(512)).all()
+    assert (ranks == lacuna.threshold_mask(32, 16, seed=3)).all()
+    assert (ranks != lacuna.threshold_mask(32, 16, seed=4)).any()
+    with pytest.raises(lacuna.BadRequest, match="size 7x64: each side must be 8 to 1024 pixels"):
+        lacuna.threshold_mask(7, 64)
+    with pytest.raises(TypeError, match="rows must be a whole number"):
+        lacuna.threshold_mask(64, "64")  # type: ignore[arg-type]

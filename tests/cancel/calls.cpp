@@ -10,6 +10,7 @@
 #include <lacuna/order.h>
 #include <lacuna/pictures.h>
 #include <lacuna/stipple.h>
+#include <lacuna/threshold_mask.h>
 #include <lacuna/verify.h>
 
 #include <algorithm>
@@ -234,6 +235,7 @@ void add_files(const Shared& given, std::vector<Call>& all) {
     }
     const Tone tone{.auto_levels = true, .gamma = 2, .sharpen = 4, .along = 3};
     const Tone of_inks{.auto_levels = true, .gamma = 2, .sharpen = 4};
+    add("threshold_mask", [](const Given&) { threshold_mask(48, 48); });
     add("read_mask", [](const Given& g) { read_mask(g.path("grey.pgm")); });
     add("decode_mask", [](const Given& g) { decode_mask(g.picture, "grey"); });
     const std::vector<Ink> inks = inks_of("cmyk");

@@ -94,7 +94,7 @@ TEST(PairsOfOptions, AreRefusedWithTheReason) {
 
 TEST(TheTableOfOptions, HasOneRowForEachOptionOfACommand) {
     for (const Commands command : {kSample, kStipple, kRelax, kOrder, kVerify, kAnalyze, kCompare,
-                                   kReproduce, kDevices, kMpiSample})
+                                   kReproduce, kDevices, kMpiSample, kMask})
         for (const Option* option : options_of(command)) {
             EXPECT_EQ(find_option(command, option->name), option) << option->name;
             EXPECT_EQ(option->symbol.empty() && !option->is_argument(), option->kind == Kind::flag)

@@ -16,6 +16,7 @@ Examples:
   lacuna stipple photo.jpg --count 20000 -o dots.svg
   lacuna relax points.txt --torus -o even.npy
   lacuna order points.txt -o ordered.npy
+  lacuna mask 64x64 -o mask.png
   lacuna sample --help
   lacuna verify points.txt --radius 0.01
   lacuna analyze points.txt -o sheet.pdf
@@ -34,6 +35,7 @@ void add_commands(CLI::App& app, const Sampler& sampler) {
     add_analyze(app);
     add_reproduce(app);
     add_compare(app, sampler);
+    add_mask(app);
     add_devices(app);
 }
 

@@ -23,6 +23,7 @@ void add_verify(CLI::App& app);
 void add_analyze(CLI::App& app);
 void add_reproduce(CLI::App& app);
 void add_compare(CLI::App& app, const Sampler& sampler);
+void add_mask(CLI::App& app);
 void add_devices(CLI::App& app);
 
 }  // namespace lacuna::cli

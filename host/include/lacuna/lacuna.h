@@ -10,5 +10,6 @@
 #include <lacuna/relax.h>
 #include <lacuna/run.h>
 #include <lacuna/sample.h>
+#include <lacuna/threshold_mask.h>
 #include <lacuna/verify.h>
 #include <lacuna/version.h>

@@ -1,0 +1,51 @@
+"""threshold_mask: makes a tile of thresholds for dithering."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from . import _core
+from ._arguments import options, whole
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    from ._arguments import Seed, Whole
+
+
+def threshold_mask(columns: Whole, rows: Whole, seed: Seed = 0) -> npt.NDArray[np.uint32]:
+    """Make a tile of ranks for dithering, by void and cluster (Ulichney 1993).
+
+    For every k the pixels of rank under k are spread evenly, also across the tile's edges.
+
+    Parameters
+    ----------
+    columns, rows : int
+        The tile's sides in pixels, each 8 to 1024. The time grows with the square of their product.
+    seed : None, int or numpy.random.Generator
+        Another seed gives another tile; as for ``sample``.
+
+    Returns
+    -------
+    ndarray, shape (rows, columns), uint32
+        The rank of each pixel, each of 0 to columns * rows - 1 once, row 0 on top. As thresholds
+        between 0 and 1: ``(ranks + 0.5) / ranks.size``.
+
+    Raises
+    ------
+    BadRequest, TypeError
+        For sides or a seed that are none of these.
+
+    Examples
+    --------
+    >>> import lacuna, numpy as np
+    >>> tile = (lacuna.threshold_mask(64, 64) + 0.5) / 4096
+    >>> ramp = np.linspace(0, 1, 256) * np.ones((64, 1))
+    >>> dithered = ramp > np.tile(tile, (1, 4))
+    >>> float(dithered.mean().round(2))
+    0.5
+    """
+    width, height = whole("columns", columns, 0, 2**32 - 1), whole("rows", rows, 0, 2**32 - 1)
+    ranks = _core.threshold_mask(width, height, options(seed=seed)["seed"])
+    return ranks.reshape(height, width)
