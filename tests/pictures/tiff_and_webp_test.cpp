@@ -1,11 +1,13 @@
 // Given a TIFF or WebP that libtiff or libwebp writes, its pixels are read back, upright.
 #include <gtest/gtest.h>
 #include <tiffio.h>
+#include <unistd.h>
 #include <webp/encode.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -44,7 +46,9 @@ std::vector<std::uint8_t> raw(const Samples& samples, unsigned bits) {
 }
 
 std::string tiff_bytes(const Tiff& made, const Samples& samples) {
-    const std::string path = testing::TempDir() + "lacuna_test.tiff";
+    // Tests may run side by side.
+    const std::string path =
+        testing::TempDir() + "lacuna_" + std::to_string(::getpid()) + "_test.tiff";
     std::unique_ptr<TIFF, decltype(&TIFFClose)> tiff(TIFFOpen(path.c_str(), made.mode), TIFFClose);
     const auto set = [&](std::uint32_t tag, unsigned value) {
         TIFFSetField(tiff.get(), tag, value);
@@ -84,7 +88,9 @@ std::string tiff_bytes(const Tiff& made, const Samples& samples) {
             }
     }
     tiff.reset();
-    return files::read_whole(path);
+    const std::string bytes_of_file = files::read_whole(path);
+    std::filesystem::remove(path);
+    return bytes_of_file;
 }
 
 Samples noise(std::size_t count, unsigned max) {

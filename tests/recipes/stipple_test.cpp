@@ -1,6 +1,7 @@
 // lacuna::stipple: its defaults, its rules, and its dots.
 #include <gtest/gtest.h>
 #include <lacuna/stipple.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -253,7 +254,7 @@ TEST(Stippling, AsALineHasAsMuchInkAsThePictureIsDark) {
     const Stippling drawn = stipple(halves, options);
     EXPECT_NEAR(100 * drawn.line_width, 0.5, 1e-12);
     EXPECT_NEAR(100 * 100 * drawn.line_width * drawn.path_length, 0.75 * 5000, 0.04 * 3750);
-    const std::string path = testing::TempDir() + "lacuna_line.svg";
+    const std::string path = testing::TempDir() + "lacuna_" + std::to_string(::getpid()) + ".svg";
     write_stippling(path, drawn);
     std::ifstream file(path);
     const std::string svg{std::istreambuf_iterator<char>(file), {}};
