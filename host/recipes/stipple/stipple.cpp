@@ -20,6 +20,7 @@
 #include "drawing/pen/pen_path.h"
 #include "drawing/tones.h"
 #include "files/point_files.h"
+#include "pictures/importance.h"
 #include "plan/checked_request.h"
 #include "recipes/make.h"
 #include "recipes/stipple/settled.h"
