@@ -55,6 +55,30 @@ const keyOf = (o) => JSON.stringify([kind, kind === "stipple" && picture.number,
 const baseName = () => (kind === "stipple" ? picture.name.replace(/\.[^.]*$/, "") || "dots" : "points");
 const grouped = (n) => n.toLocaleString("en");
 
+// --- settings in the page's address, so that a link or a reload has them; the picture is not in it
+const fields = () => [...document.querySelectorAll("form input[data-option], form select")];
+const defaultOf = (field) => field.type === "checkbox" ? field.defaultChecked
+    : field.defaultValue ?? ([...field.options].find((one) => one.defaultSelected) ?? field.options[0]).value;
+
+function remember() {
+    const all = new URLSearchParams(kind === "stipple" ? {} : { kind });
+    for (const field of fields()) {
+        const value = field.type === "checkbox" ? field.checked : field.value;
+        if (value !== defaultOf(field)) all.set(field.id, value);
+    }
+    history.replaceState(null, "", all.toString() ? `#${all}` : location.pathname + location.search);
+}
+
+function recall(all) {
+    for (const field of fields()) {
+        const value = all.get(field.id) ?? defaultOf(field);
+        if (field.type === "checkbox") field.checked = String(value) === "true";
+        else field.value = value;
+    }
+    for (const id of ["count-slider", "amount-slider"]) $(id).dispatchEvent(new Event("place"));
+    update();
+}
+
 // --- messages
 function say(text) {
     $("status").textContent = text;
@@ -121,6 +145,7 @@ async function run() {
     try {
         const o = optionsNow();
         const key = keyOf(o);
+        remember();
         complain(null);
         busy(true);
         await showCommand(o);
@@ -309,6 +334,7 @@ function ratioSlider(slider, field, range, digits, onChange) {
         onChange();
     });
     field.addEventListener("input", () => (place(), onChange()));
+    slider.addEventListener("place", place);
     place();
     return place;
 }
@@ -341,6 +367,7 @@ function update() {
     if ($("ink-kind").value.startsWith("white") && $("paper-colour").value === "#ffffff") $("paper-colour").value = "#000000";
     $("ink-kind").dataset.option = $("ink-row").hidden ? "inks" : "";
     $("amount").dataset.option = $("by").value;
+    $("amount-label").textContent = $("by").value === "radius" ? "Radius" : "Number";
     $("metric-row").hidden = $("ink-kind").value !== "";
     $("margin").disabled = $("paper").value === "none";
     $("black").disabled = $("white").disabled = $("auto-levels").checked;
@@ -352,7 +379,6 @@ function listen() {
     const place = ratioSlider($("amount-slider"), $("amount"), () => ($("by").value === "radius" ? [0.2, 0.003] : [20, 100000]), 3, schedule);
     $("by").addEventListener("change", () => {
         const isRadius = $("by").value === "radius";
-        $("amount-label").textContent = isRadius ? "Radius" : "Number";
         $("amount").value = isRadius ? "0.02" : "2000";
         place();
     });
@@ -391,6 +417,7 @@ function listen() {
     $("zoom-all").addEventListener("click", () => (view.reset(), view.onZoom(1)));
     $("cancel").addEventListener("click", () => engine.cancel());
     document.addEventListener("keydown", (event) => event.key === "Escape" && engine?.cancel());
+    $("reset").addEventListener("click", () => recall(new URLSearchParams()));
     $("format").addEventListener("change", async () => {
         try {
             await showCommand(optionsNow());
@@ -419,7 +446,12 @@ async function start() {
         engine = new Engine(module, (share) => ($("progress").value = share));
         engine.forgotten = () => ((sent = null), (held = ""));
         if (picture) schedule(); // given by the user meanwhile
-        else await take(await response.blob(), "raccoon.png");
+        else {
+            const all = new URLSearchParams(location.hash.slice(1));
+            recall(all);
+            await take(await response.blob(), "raccoon.png");
+            if (all.get("kind") === "sample") select("sample");
+        }
     } catch (error) {
         complain(error);
     }

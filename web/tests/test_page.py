@@ -118,6 +118,23 @@ class PageTest(unittest.TestCase):
                 with self.subTest(setting, kind=kind):
                     self.assert_the_commands_bytes(kind)
 
+    def test_a_reload_has_the_settings_and_reset_has_none(self):
+        page = self.browser
+        page.after(lambda: page.set("count", "700"))
+        page.after(lambda: page.set("keep-inside", True))
+        page.after(lambda: page.set("ink-kind", "white,gold=#d4af37"))
+        command = page.text("command")
+        self.assertIn("--paper-colour", command)
+        page.after(lambda: page.run("location.reload()"))
+        self.assertEqual(page.text("command"), command)
+        page.after(lambda: page.element("reset").click())
+        self.assertNotIn("--", page.text("command").replace("--count 20000", ""))
+        self.assertEqual(page.run("return location.hash"), "")
+        page.after(lambda: page.element("tab-sample").click())
+        page.after(lambda: page.set("by", "count"))
+        page.after(lambda: page.run("location.reload()"))
+        self.assertIn("lacuna sample --count 2000", page.text("command"))
+
     def test_colours_are_read_as_the_command_reads_them(self):
         self.given("colours.png", png(61, 43, 3, lambda x, y, c: (x * (3 + c) + y * 5 * c) % 256))
         self.browser.after(lambda: self.browser.set("count", "900"))
