@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/number_text.h"
@@ -46,13 +45,18 @@ struct MaskCommand {
     bool quiet = false;
 };
 
+struct Sides {
+    std::uint32_t columns = 0;
+    std::uint32_t rows = 0;
+};
+
 // WIDTHxHEIGHT in pixels.
-std::pair<std::uint32_t, std::uint32_t> sides_of(const std::string& text) {
-    std::pair<std::uint32_t, std::uint32_t> sides;
+Sides sides_of(const std::string& text) {
+    Sides sides;
     const char* const end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, sides.first);
+    const auto first = std::from_chars(text.data(), end, sides.columns);
     const bool has_cross = first.ec == std::errc{} && first.ptr != end && *first.ptr == 'x';
-    const auto second = std::from_chars(has_cross ? first.ptr + 1 : end, end, sides.second);
+    const auto second = std::from_chars(has_cross ? first.ptr + 1 : end, end, sides.rows);
     if (!has_cross || second.ec != std::errc{} || second.ptr != end)
         throw BadUsage("SIZE " + shown(text) + ": must be WIDTHxHEIGHT in pixels, such as 64x64");
     return sides;
@@ -69,16 +73,16 @@ std::vector<std::uint16_t> numbers_of(const ThresholdMask& mask, unsigned bits) 
 }
 
 // A message names the argument as --help does.
-ThresholdMask made(std::uint32_t columns, std::uint32_t rows, const MaskCommand& options) {
+ThresholdMask made(const Sides& sides, const MaskCommand& options) {
     try {
-        return threshold_mask(columns, rows, options.seed);
+        return threshold_mask(sides.columns, sides.rows, options.seed);
     } catch (const BadRequest& error) {
         throw BadUsage("SIZE" + std::string(error.what()).substr(error.option().size()));
     }
 }
 
 void run(const CommandLine& line, const MaskCommand& options) {
-    const auto [columns, rows] = sides_of(options.size);
+    const Sides sides = sides_of(options.size);
     if (options.bits != 8 && options.bits != 16)
         throw BadRequest("bits", std::to_string(options.bits), "must be 8 or 16");
     for (const std::string& path : options.output.paths)
@@ -87,11 +91,11 @@ void run(const CommandLine& line, const MaskCommand& options) {
     const std::vector<Output> outputs = outputs_of(options.output, ".png", "png");
     check_given_files(files_read(line), given_files(outputs));
     Interruption interruption;
-    const ThresholdMask mask = made(columns, rows, options);
+    const ThresholdMask mask = made(sides, options);
     Writing writing(interruption);
     for (const Output& output : outputs)
         writing.add(output.path, [&] {
-            return pictures::grey_png(columns, options.bits, numbers_of(mask, options.bits));
+            return pictures::grey_png(sides.columns, options.bits, numbers_of(mask, options.bits));
         });
     writing.write();
     if (options.quiet || has_standard_output(outputs)) return;
