@@ -82,7 +82,8 @@ double width_at(const Pens& pens, double importance) {
 }
 
 double Sizing::area_at(double importance) const {
-    if (is_line) return 1 / importance;
+    // The line of a wider pen must be as much shorter.
+    if (is_line) return (pens ? pens->least_mm * pens->least_mm : 1) / importance;
     if (are_strokes) return 1;
     if (!pens) return by_tone == 0 ? 1 : power(importance, by_tone);
     const double diameter = width_at(*pens, importance);

@@ -35,12 +35,16 @@ void stroke_line(cairo_t* context, std::span<const Point> points, double width, 
     cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_width(context, width);
-    for (const Point& point : points) {
-        ask_after(64);
-        cairo_line_to(context, page.x_of(point), page.y_of(point));
+    // In pieces that overlap by a point, so that a long line can be cancelled.
+    for (std::size_t begin = 0; begin < points.size(); begin += kDotsPerStroke) {
+        const auto piece =
+            points.subspan(begin, std::min(kDotsPerStroke + 1, points.size() - begin));
+        ask_after(64 * piece.size());
+        cairo_move_to(context, page.x_of(piece.front()), page.y_of(piece.front()));
+        for (const Point& point : piece) cairo_line_to(context, page.x_of(point), page.y_of(point));
+        cairo_stroke(context);
+        check(cairo_status(context));
     }
-    cairo_stroke(context);
-    check(cairo_status(context));
 }
 
 // Calls draw(dots, style) for each layer, or draws its line. Each is drawn on its own, in its

@@ -74,6 +74,7 @@ void append_line(std::string& bytes, std::span<const Point> points, double width
                        page.x_of(point), page.y_of(point));
         step = 'L';
     }
+    if (points.size() == 1) bytes += "h0.01\n";  // a line of length 0 is not drawn by all programs
     bytes += "\"/>\n";
 }
 

@@ -70,26 +70,32 @@ std::vector<files::Layer> layers_of_pens(const Tones& tones, const Domain& domai
                                          std::span<Point> points) {
     std::vector<files::Layer> layers;
     std::size_t first = 0;
+    bool are_several = false;
     for (std::size_t k = 0; k < tones.fields.size(); ++k) {
         const Sizing sizing = tones.sizing_of(k);
-        if (!sizing.pens || sizing.pens->widths_mm.empty()) return {};
-        const Ink ink = tones.has_inks() ? tones.layers[k].ink : Ink{};
-        auto rest = points.subspan(first, tones.has_inks() ? tones.layers[k].dots : points.size());
+        const files::Layer ink =
+            tones.has_inks() ? tones.layers[k] : files::Layer{{}, points.size()};
+        auto rest = points.subspan(first, ink.dots);
         first += rest.size();
+        if (!sizing.pens || sizing.pens->widths_mm.empty()) {
+            layers.push_back(ink);
+            continue;
+        }
+        are_several = true;
         for (const double width : sizing.pens->widths_mm) {
             const auto is_its = [&](const Point& point) {
                 return width_at(*sizing.pens, importance_at(point, tones.fields[k], domain)) ==
                        width;
             };
             const auto end = std::stable_partition(rest.begin(), rest.end(), is_its);
-            const std::string name = lacuna::rounded(width, 6) + "mm";
+            const std::string pen = lacuna::rounded(width, 6) + "mm";
+            const std::string name = ink.ink.name.empty() ? pen : ink.ink.name + " " + pen;
             const auto dots = static_cast<std::size_t>(end - rest.begin());
-            layers.push_back(
-                {{ink.name.empty() ? name : ink.name + " " + name, ink.colour, width}, dots});
+            layers.push_back({{name, ink.ink.colour, width}, dots});
             rest = rest.subspan(dots);
         }
     }
-    return layers;
+    return are_several ? layers : std::vector<files::Layer>{};
 }
 
 double dots_for_ink(const Tones& tones, const Domain& domain, const Style& style) {
@@ -108,27 +114,39 @@ std::uint64_t suiting_count(const Tones& tones, const Domain& domain, const Styl
     return all;
 }
 
-// About how long the path through n dots is, in mm, over sqrt(n). With n dots of density d(x) in
-// all, those of ink k d_k, it is kPath times the sum over inks of the integral of sqrt(d_k).
-double path_of_one(const Tones& tones, const Domain& domain, const Style& style) {
+// About how long the path through n dots is, in mm, over sqrt(n), and the same times the width of
+// each ink's pen, in mm^2. With n dots of density d(x) in all, those of ink k d_k, the path of ink
+// k is kPath times the integral of sqrt(d_k).
+struct PathOfOne {
+    double length;
+    double ink;
+};
+PathOfOne path_of_one(const Tones& tones, const Domain& domain, const Style& style) {
     constexpr double kPath = 1;  // measured: 0.98 to 1.01 times as long in pictures of two kinds
-    double sum = 0, roots = 0;
-    for (const Field& field : tones.densities())
+    double sum = 0, roots = 0, ink = 0;
+    for (std::size_t k = 0; k < tones.fields.size(); ++k) {
+        const Field& field = tones.densities()[k];
+        double own = 0;
         for_each_polled(field.importance.size(), ask, [&](std::size_t i) {
             sum += field.importance[i];
-            roots += std::sqrt(field.importance[i]);
+            own += std::sqrt(field.importance[i]);
         });
+        roots += own;
+        const std::optional<Pens> pens = tones.sizing_of(k).pens;
+        ink += own * (pens ? pens->least_mm : 0);
+    }
     const auto pixels = static_cast<double>(tones.all().importance.size());
     const double pixel_area = domain.width * domain.height / pixels;
-    return kPath * std::sqrt(pixel_area / sum) * roots *
-           millimetres_per_unit(files::PointSet{{}, domain}, style);
+    const double factor = kPath * std::sqrt(pixel_area / sum) *
+                          millimetres_per_unit(files::PointSet{{}, domain}, style);
+    return {factor * roots, factor * ink};
 }
 
 // The time is a n + b sqrt(n), which is solved for n.
 std::uint64_t plotted_count(const Tones& tones, const Domain& domain, const Style& style,
                             const Plotter& plotter, double seconds) {
     const double a = plotter.seconds_per_dot;
-    const double b = seconds_of(plotter, 0, path_of_one(tones, domain, style));
+    const double b = seconds_of(plotter, 0, path_of_one(tones, domain, style).length);
     // Of the two forms of the root this one holds for a = 0, too.
     const double root = 2 * seconds / (b + std::sqrt(b * b + 4 * a * seconds));
     if (!(root * root <= kMostDots))
@@ -139,11 +157,10 @@ std::uint64_t plotted_count(const Tones& tones, const Domain& domain, const Styl
     return static_cast<std::uint64_t>(std::max(1.0, std::round(root * root)));
 }
 
-std::uint64_t count_of_line(const Tones& tones, const Domain& domain, const Style& style,
-                            double width_mm) {
+std::uint64_t count_of_line(const Tones& tones, const Domain& domain, const Style& style) {
     const double scale = millimetres_per_unit(files::PointSet{{}, domain}, style);
     const double ink = darkness_of(tones.all()) * domain.width * scale * domain.height * scale;
-    const double root = ink / width_mm / path_of_one(tones, domain, style);
+    const double root = ink / path_of_one(tones, domain, style).ink;
     return static_cast<std::uint64_t>(std::clamp(std::round(root * root), 1.0, kMostDots));
 }
 
@@ -170,12 +187,19 @@ std::vector<double> diameters_of(const Tones& tones, const files::PointSet& set,
                                  const Style& style) {
     std::vector<double> diameters = toned_diameters(tones, set, style);
     if (!tones.keep_inside) return diameters;
-    // A pen draws no dot that is smaller than it, and each of several pens has its own size.
-    const bool are_fixed = tones.has_pens() && tones.sizing_of(0).pens->widths_mm.size() > 1;
-    const double least = tones.sizing.pens ? tones.sizing.pens->least_mm : 0;
-    if (are_fixed || (tones.has_pens() && !tones.sizing.pens)) return diameters;
-    fit_inside(set.points, diameters, {tones.all(), set.domain},
-               least / millimetres_per_unit(set, style));
+    const double scale = millimetres_per_unit(set, style);
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < tones.fields.size(); ++k) {
+        const std::size_t count = tones.has_inks() ? tones.layers[k].dots : set.points.size();
+        const auto its_dots = set.points.subspan(first, count);
+        const auto its_diameters = std::span(diameters).subspan(first, count);
+        first += count;
+        // A pen draws no dot that is smaller than it, and each of several pens has its own size.
+        const std::optional<Pens> pens = tones.sizing_of(k).pens;
+        if (pens && !pens->widths_mm.empty()) continue;
+        fit_inside(its_dots, its_diameters, {tones.all(), set.domain},
+                   pens ? pens->least_mm / scale : 0);
+    }
     return diameters;
 }
 

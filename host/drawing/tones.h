@@ -53,9 +53,8 @@ std::uint64_t suiting_count(const Tones& tones, const Domain& domain, const Styl
 // About how many dots a plotter draws in this time, along the path of each ink.
 std::uint64_t plotted_count(const Tones& tones, const Domain& domain, const Style& style,
                             const Plotter& plotter, double seconds);
-// How many dots a line of this width goes through if its ink is as much as the picture is dark.
-std::uint64_t count_of_line(const Tones& tones, const Domain& domain, const Style& style,
-                            double width_mm);
+// How many dots the lines of pens go through if their ink is as much as the picture is dark.
+std::uint64_t count_of_line(const Tones& tones, const Domain& domain, const Style& style);
 // About how long it takes for dots and the path between them.
 double seconds_of(const Plotter& plotter, std::size_t dots, double path_mm);
 

@@ -3,9 +3,9 @@
 
 #include <png.h>
 
+#include <csetjmp>
 #include <cstddef>
 #include <new>
-#include <stdexcept>
 #include <vector>
 
 namespace lacuna::pictures {
@@ -20,18 +20,27 @@ std::string grey_png(std::uint32_t columns, unsigned bits, std::span<const std::
         pixels.push_back(static_cast<std::uint8_t>(value & 0xffU));
     }
     std::string file;
-    // It has memory in plenty, and no file: libpng has nothing to complain of.
-    const auto complain = [](png_structp, png_const_charp text) { throw std::logic_error(text); };
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, complain, nullptr);
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
     if (info == nullptr) {
         png_destroy_write_struct(&png, nullptr);
         throw std::bad_alloc();
     }
+    // No exception may pass through libpng, which is C. It leaves by longjmp only where memory
+    // ends.
     const auto append = [](png_structp writer, png_bytep bytes, std::size_t count) {
-        static_cast<std::string*>(png_get_io_ptr(writer))
-            ->append(reinterpret_cast<const char*>(bytes), count);
+        try {
+            static_cast<std::string*>(png_get_io_ptr(writer))
+                ->append(reinterpret_cast<const char*>(bytes), count);
+            return;
+        } catch (const std::bad_alloc&) {
+        }
+        png_error(writer, "no memory");
     };
+    if (setjmp(png_jmpbuf(png)) != 0) {
+        png_destroy_write_struct(&png, &info);
+        throw std::bad_alloc();
+    }
     png_set_write_fn(png, &file, append, nullptr);
     png_set_IHDR(png, info, columns, rows, static_cast<int>(bits), PNG_COLOR_TYPE_GRAY,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);

@@ -92,6 +92,9 @@ public:
     }
 
 private:
+    static constexpr std::uint64_t kMostOfTile = 1U << 24U;  // pixels, of tiles beyond the picture
+    static constexpr unsigned kMostChannels = 64;
+
     // The beginning of the first message of libtiff; it may not be left by an exception.
     static int on_error(TIFF*, void* self, const char*, const char* format, va_list values) {
         std::string& complaint = static_cast<TiffReader*>(self)->complaint_;
@@ -112,6 +115,10 @@ private:
 
     // Called before memory is allocated. A fax packs a white line of 2^17 pixels into a bit.
     void check_that_pixels_fit(Size size) const {
+        const auto channels = tag<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
+        if (channels > kMostChannels)
+            file_.refuse(fmt::format("a TIFF of {} samples a pixel: must be at most {}", channels,
+                                     kMostChannels));
         constexpr std::uint64_t kHighestRatio = 1U << 17U;
         const std::uint64_t ratio =
             tag<std::uint16_t>(TIFFTAG_COMPRESSION) == COMPRESSION_NONE ? 1 : kHighestRatio;
@@ -137,7 +144,8 @@ private:
 
     // The layout of rows of grey or RGB in whole numbers.
     std::optional<Layout> layout_of_rows() const {
-        const auto photometric = tag<std::uint16_t>(TIFFTAG_PHOTOMETRIC);
+        std::uint16_t photometric = 0;  // without it libtiff guesses
+        if (TIFFGetField(tiff_.get(), TIFFTAG_PHOTOMETRIC, &photometric) == 0) return std::nullopt;
         const bool is_grey =
             photometric == PHOTOMETRIC_MINISBLACK || photometric == PHOTOMETRIC_MINISWHITE;
         Layout layout{tag<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL), is_grey ? 1U : 3U,
@@ -194,11 +202,16 @@ private:
         TIFFSetField(tiff_.get(), TIFFTAG_ORIENTATION, std::uint16_t{ORIENTATION_TOPLEFT});
         const bool is_tiled = TIFFIsTiled(tiff_.get()) != 0;
         const auto width = is_tiled ? tag<std::uint32_t>(TIFFTAG_TILEWIDTH) : image.columns;
-        const auto height = std::min(is_tiled ? tag<std::uint32_t>(TIFFTAG_TILELENGTH)
-                                              : tag<std::uint32_t>(TIFFTAG_ROWSPERSTRIP),
-                                     is_tiled ? 1U << 16U : image.rows);
-        check_size(file_, {width, height});
-        std::vector<std::uint32_t> part(std::size_t{width} * height);
+        // libtiff fills whole tiles, however large they are.
+        const auto height = is_tiled
+                                ? tag<std::uint32_t>(TIFFTAG_TILELENGTH)
+                                : std::min(tag<std::uint32_t>(TIFFTAG_ROWSPERSTRIP), image.rows);
+        const std::uint64_t pixels = std::uint64_t{width} * height;
+        if (pixels == 0 ||
+            pixels > std::max(kMostOfTile, std::uint64_t{image.columns} * image.rows))
+            file_.refuse(
+                fmt::format("a TIFF in tiles of {} x {} pixels: must be smaller", width, height));
+        std::vector<std::uint32_t> part(pixels);
         for (std::uint32_t y = 0; y < image.rows; y += height)
             for (std::uint32_t x = 0; x < image.columns; x += width) {
                 check((is_tiled ? TIFFReadRGBATileExt(tiff_.get(), x, y, part.data(), 1)

@@ -68,13 +68,15 @@ constexpr Pairs kPairs[] = {
 
     // Inks and sizes of dots
     {kStipple, "black-ink ink-counts", Needs::one_of, "inks", "is for a picture in inks"},
-    {kStipple, "black-ink", Needs::none_of, "paper-colour", "is for white paper"},
     {kStipple, "along", Needs::none_of, "inks", "dots of inks are relaxed"},
     {kStipple, "metric scale limit lines-per-radius round-size mode=cells mode=exact",
      Needs::none_of, "inks", "dots of inks begin stratified"},
     {kStipple, "ink-counts", Needs::none_of, "count", "both give the number of dots"},
     {kStipple, "pens", Needs::none_of, "dot-size size-by-tone", "both say how large dots are"},
     {kStipple, "pens", Needs::none_of, "along", "strokes are of one pen: give --dot-size"},
+    {kStipple, "seconds-per-dot seconds-per-metre", Needs::one_of,
+     "dot-size pens inks pen-path path-line plot-time", "is the time of a pen"},
+    {kStipple, "seconds-per-dot", Needs::none_of, "path-line", "the pen stays down on a line"},
     {kStipple, "path-line", Needs::none_of, "along pens size-by-tone keep-inside scale",
      "a line has no dots of its own"},
     {kStipple, "plot-time", Needs::none_of, "count scale limit ink-counts",

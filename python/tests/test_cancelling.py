@@ -50,6 +50,7 @@ def calls(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Call]:
         "sample_many": lambda: lacuna.sample_many(range(400), radius=0.02),
         "relax": lambda: lacuna.relax(made, iterations=3),
         "order": lambda: lacuna.order(made),
+        "threshold_mask": lambda: lacuna.threshold_mask(256, 256),
         "verify": lambda: lacuna.verify(made),
         "analyze": lambda: lacuna.analyze(made),
         "stipple": lambda: lacuna.stipple(noise, 20_000, relax=2, seed=1),

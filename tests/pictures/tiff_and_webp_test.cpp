@@ -30,7 +30,8 @@ struct Tiff {
     unsigned photometric = PHOTOMETRIC_MINISBLACK;
     unsigned compression = COMPRESSION_NONE;
     std::uint32_t rows_of_strip = 3;
-    bool tiled = false;  // 16 x 16
+    bool tiled = false;  // 16 pixels wide
+    std::uint32_t tile_length = 16;
     int orientation = 1;
     unsigned format = SAMPLEFORMAT_UINT;
     const char* mode = "w";  // b: big-endian, 8: BigTIFF
@@ -62,7 +63,7 @@ std::string tiff_bytes(const Tiff& made, const Samples& samples) {
     set(TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
     set(TIFFTAG_ORIENTATION, static_cast<unsigned>(made.orientation));
     set(TIFFTAG_SAMPLEFORMAT, made.format);
-    if (made.channels % 2 == 0) {
+    if (made.channels % 2 == 0 && made.photometric != PHOTOMETRIC_SEPARATED) {
         const std::uint16_t alpha = EXTRASAMPLE_UNASSALPHA;
         TIFFSetField(tiff.get(), TIFFTAG_EXTRASAMPLES, 1, &alpha);
     }
@@ -75,11 +76,11 @@ std::string tiff_bytes(const Tiff& made, const Samples& samples) {
     } else {
         constexpr std::uint32_t kSide = 16;
         set(TIFFTAG_TILEWIDTH, kSide);
-        set(TIFFTAG_TILELENGTH, kSide);
-        for (std::uint32_t y = 0; y < made.rows; y += kSide)
+        set(TIFFTAG_TILELENGTH, made.tile_length);
+        for (std::uint32_t y = 0; y < made.rows; y += made.tile_length)
             for (std::uint32_t x = 0; x < made.columns; x += kSide) {
-                std::vector<std::uint8_t> tile(kSide * kSide * pixel);
-                for (std::uint32_t row = 0; row < std::min(kSide, made.rows - y); ++row)
+                std::vector<std::uint8_t> tile(kSide * made.tile_length * pixel);
+                for (std::uint32_t row = 0; row < std::min(made.tile_length, made.rows - y); ++row)
                     std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(
                                                     ((y + row) * made.columns + x) * pixel),
                                 std::min(kSide, made.columns - x) * pixel,
@@ -145,6 +146,20 @@ TEST(ATiff, WhoseZeroIsWhiteIsInverted) {
         const std::vector<double> white = decode_image(tiff_bytes(tiff, samples), "f").luminance;
         for (std::size_t i = 0; i < 20; ++i) EXPECT_NEAR(white[i], 1 - black[i], 1e-15);
     }
+}
+
+TEST(ATiff, MayHaveLongStripsAndTilesThatAreMuchLongerThanItself) {
+    Tiff wide{2100, 3, 8, 4, PHOTOMETRIC_SEPARATED};  // CMYK
+    wide.rows_of_strip = 1;
+    EXPECT_EQ(decode_image(tiff_bytes(wide, Samples(2100 * 3 * 4, 0)), "f").luminance,
+              std::vector<double>(6300, 1));
+    Tiff tall{16, 20, 8};
+    tall.tiled = true;
+    tall.tile_length = 70000;
+    tall.compression = COMPRESSION_LZW;
+    const Samples samples = noise(320, 255);
+    const Image image = decode_image(tiff_bytes(tall, samples), "f");
+    EXPECT_EQ(image.luminance, as_png({16, 20, 8}, samples));
 }
 
 TEST(ATiff, IsTurnedUpright) {

@@ -17,7 +17,7 @@ let sent = null; // the picture that the worker has
 let held = ""; // the key of the set that the worker has
 let shown = null; // { key, set, page } on the canvas
 let runs = 0;
-let isQuick = false, isWaiting = false;
+let isQuick = false, isWaiting = false, hadLightInks = false;
 let timer = 0;
 let engine = null;
 
@@ -364,7 +364,11 @@ function update() {
     document.querySelectorAll(".tone-row").forEach((part) => (part.hidden = pens !== "radius"));
     $("count").disabled = $("count-slider").disabled = $("plot-time").value !== "";
     $("ink-row").hidden = $("ink-kind").value !== "own";
-    if ($("ink-kind").value.startsWith("white") && $("paper-colour").value === "#ffffff") $("paper-colour").value = "#000000";
+    // White inks want dark paper, and the usual inks get theirs back.
+    const isLight = $("ink-kind").value.startsWith("white"), paper = $("paper-colour");
+    if (isLight && paper.value === "#ffffff") paper.value = "#000000";
+    if (!isLight && hadLightInks && paper.value === "#000000") paper.value = "#ffffff";
+    hadLightInks = isLight;
     $("ink-kind").dataset.option = $("ink-row").hidden ? "inks" : "";
     $("amount").dataset.option = $("by").value;
     $("amount-label").textContent = $("by").value === "radius" ? "Radius" : "Number";

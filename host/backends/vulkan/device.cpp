@@ -16,6 +16,12 @@ double tick_seconds_of(const vk::raii::PhysicalDevice& physical, std::uint32_t f
     return kNanosecond * static_cast<double>(physical.getProperties().limits.timestampPeriod);
 }
 
+std::uint64_t tick_mask_of(const vk::raii::PhysicalDevice& physical, std::uint32_t family) {
+    constexpr std::uint32_t kAllBits = 64;
+    const std::uint32_t bits = physical.getQueueFamilyProperties()[family].timestampValidBits;
+    return bits >= kAllBits ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+}
+
 }  // namespace
 
 Device::Device(std::shared_ptr<const Instance> instance, std::size_t number,
@@ -27,6 +33,7 @@ Device::Device(std::shared_ptr<const Instance> instance, std::size_t number,
       memory_(physical_.getMemoryProperties()),
       most_groups_(physical_.getProperties().limits.maxComputeWorkGroupCount[0]),
       tick_seconds_(tick_seconds_of(physical_, family_)),
+      tick_mask_(tick_mask_of(physical_, family_)),
       device_(guarded([&] { return make_device(physical_, family_, validation); })),
       queue_(device_, family_, 0) {}
 

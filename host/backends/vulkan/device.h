@@ -40,8 +40,10 @@ public:
     std::uint32_t family() const { return family_; }
     const vk::PhysicalDeviceMemoryProperties& memory() const { return memory_; }
     std::uint64_t most_groups() const { return most_groups_; }
-    // The unit of times that its queue writes; 0 if it writes none.
+    // The unit of times that its queue writes; 0 if it writes none. They count up to a mask, and
+    // begin again.
     double tick_seconds() const { return tick_seconds_; }
+    std::uint64_t tick_mask() const { return tick_mask_; }
 
     // A pipeline is made at its first use; its address stays valid. Like run(), thread-safe.
     const Pipeline& pipeline(const device::KernelShape& kernel);
@@ -71,6 +73,7 @@ private:
     vk::PhysicalDeviceMemoryProperties memory_;
     std::uint64_t most_groups_;
     double tick_seconds_;
+    std::uint64_t tick_mask_;
     vk::raii::Device device_;
     vk::raii::Queue queue_;
 

@@ -279,7 +279,8 @@ private:
             0, count, count * sizeof(std::uint64_t), sizeof(std::uint64_t),
             vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
         for (std::size_t i = 1; i < ticks.size(); i += 2)
-            add_seconds(timed_[i], tick_seconds_ * static_cast<double>(ticks[i] - ticks[i - 1]));
+            add_seconds(timed_[i], tick_seconds_ * static_cast<double>((ticks[i] - ticks[i - 1]) &
+                                                                       device_->tick_mask()));
         timed_.clear();
     }
 

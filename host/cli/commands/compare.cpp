@@ -124,7 +124,7 @@ private:
 
 Comparison compared(const CompareCommand& options, const Request& request, const Sampler& sampler) {
     const std::vector<Contestant> contestants = find_contestants(options.backends);
-    Runs runs(contestants.size() * (options.runs + std::size_t{1}), options.quiet);
+    Runs runs(contestants.size() * (options.runs + std::size_t{2}), options.quiet);
     const Sampler shown = [&](const Request& one, Observer& observer) {
         runs.start(one);
         Result result = sampler(one, observer);

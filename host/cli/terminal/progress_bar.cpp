@@ -79,8 +79,8 @@ std::string progress_line(const Progress& progress, double seconds, std::size_t 
     return progress_line(share, numbers, columns, colour);
 }
 
-std::string progress_line(double share, const std::string& words, std::size_t columns,
-                          bool colour) {
+std::string progress_line(double done, const std::string& words, std::size_t columns, bool colour) {
+    const double share = std::clamp(done, 0.0, 1.0);
     const std::string numbers = fmt::format("{:3.0f} %  {}", 100 * share, words);
     if (numbers.size() + kBarCells + 4 > columns) return numbers.substr(0, columns);
 

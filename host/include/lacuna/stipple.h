@@ -116,7 +116,7 @@ struct Stippling {
 
     std::uint32_t columns = 0;  // of the picture, in pixels
     std::uint32_t rows = 0;
-    // With pens: how many dots would have the picture's ink. 0 if sizes differ and there are inks.
+    // With pens for all inks: how many dots would have the picture's ink; 0 for lines and strokes.
     double dots_for_ink = 0;
     // With pens or a pen's path: its length, in the domain's unit, in the dots' order and in that
     // of admission, and about how long a plotter takes for the dots and the path between them.

@@ -34,8 +34,9 @@ recipes::CommandLine line_of(StippleOptions options) {
     if (!options.inks.empty()) line.given.push_back({"inks", {options.inks.front().name}});
     if (!options.ink_counts.empty())
         line.given.push_back({"ink-counts", {std::to_string(options.ink_counts.front())}});
-    if (options.paper_colour != kWhitePaper)
-        line.given.push_back({"paper-colour", {files::hex_of(options.paper_colour)}});
+    if (options.pens)
+        line.given.push_back({options.pens->widths_mm.empty() ? "dot-size" : "pens",
+                              {shortest(options.pens->least_mm) + "mm"}});
     if (options.plot_seconds)
         line.given.push_back({"plot-time", {shortest(*options.plot_seconds) + "s"}});
     return line;
@@ -54,6 +55,9 @@ void check_inks(const StippleOptions& options) {
             throw BadRequest("inks", ink.name,
                              "is the colour of the paper, " + paper +
                                  ", where it would not show: see --paper-colour");
+    if (options.black_ink && options.paper_colour != kWhitePaper)
+        throw BadRequest("black-ink", shortest(*options.black_ink),
+                         "is for white paper, not for " + paper);
     if (options.inks.empty() && is_dark(options.paper_colour))
         throw BadRequest("paper-colour", paper,
                          "is too dark for black dots: give --inks, such as white");
@@ -74,6 +78,15 @@ void check_pens(const StippleOptions& options) {
     };
     for (const Ink& ink : options.inks)
         refuse_unless(ink.pen_mm >= 0 && std::isfinite(ink.pen_mm), "inks", ink.pen_mm);
+    const auto has_pen = [](const Ink& ink) { return ink.pen_mm != 0; };
+    const auto with_pen = std::count_if(options.inks.begin(), options.inks.end(), has_pen);
+    const auto without = std::find_if_not(options.inks.begin(), options.inks.end(), has_pen);
+    if (with_pen != 0 && without != options.inks.end() && !options.pens)
+        throw BadRequest("inks", without->name,
+                         "needs a pen, as others have: give it one, such as " + without->name +
+                             ":0.5mm, or --dot-size");
+    if (options.size_by_tone != 0 && with_pen != 0)
+        throw BadRequest("size-by-tone", shortest(options.size_by_tone), "is not for pens");
     if (!options.pens) return;
     const auto& [least, most, widths] = *options.pens;
     if (has_ellipses(options) && least != most)
@@ -81,6 +94,16 @@ void check_pens(const StippleOptions& options) {
                          "must be one pen with --along, whose dots are strokes");
     refuse_unless(least > 0, "pens", least);
     refuse_unless(least <= most && std::isfinite(most), "pens", most);
+    if (options.path_line && least != most)
+        throw BadRequest("path-line", "with " + shortest(least) + "mm.." + shortest(most) + "mm",
+                         "must have one pen, or one for each ink");
+    if (has_ellipses(options) && options.keep_inside)
+        throw BadRequest("keep-inside", "with --along",
+                         "is for dots: with a pen there are strokes");
+    constexpr std::size_t kMostLayers = 254;  // of a file
+    if (std::max<std::size_t>(1, options.inks.size()) * widths.size() > kMostLayers)
+        throw BadRequest("pens", fmt::format("{} widths", widths.size()),
+                         fmt::format("must be at most {} layers of inks and pens", kMostLayers));
     for (std::size_t i = 0; i < widths.size(); ++i)
         refuse_unless(widths[i] >= (i == 0 ? least : widths[i - 1]) && widths[i] <= most, "pens",
                       widths[i]);
@@ -124,7 +147,6 @@ Stippling recipes::settled(const StippleOptions& options) {
                                .relax = options.relax};
     Stippling made{.request = options.request};
     made.iterations = recipes::relax_of(given);
-    made.are_strokes = has_ellipses(options) && options.pens;
     made.paper_colour = options.paper_colour;
     made.is_for_a_pen = options.pen_path || options.path_line || options.plot_seconds;
     recipes::settle(given, made.request);

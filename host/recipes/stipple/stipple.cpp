@@ -90,9 +90,8 @@ private:
                                                      seconds_for_dots());
         else if (made_.are_strokes && !request().count && !request().scale)
             request().scale = kStrokesApart * pen();
-        else if (options_.path_line && options_.pens && !request().count)
-            request().count =
-                drawing::count_of_line(tones_, request().domain, style_, options_.pens->least_mm);
+        else if (options_.path_line && tones_.has_pens() && !request().count)
+            request().count = drawing::count_of_line(tones_, request().domain, style_);
         else if (!request().count && !request().scale)
             request().count = drawing::suiting_count(tones_, request().domain, style_);
         if (!tones_.has_inks()) return;
@@ -214,6 +213,7 @@ private:
             };
             const bool turns = way_to(1) < way_to(-1);
             path += std::min(way_to(1), way_to(-1)) + 2 * (a - b);
+            made_.admitted_length += 2 * (a - b);
             from = {middle.x + (turns ? -x : x), middle.y + (turns ? -y : y)};
             if (turns) angle += std::numbers::pi;
         }
@@ -224,6 +224,7 @@ private:
 
     // The width at which the line has as much ink as the picture is dark, or that of the pen.
     void find_width() {
+        // An ink with a pen of its own has its width.
         made_.line_width = options_.pens ? pen() : ink() / std::max(made_.path_length, ink());
     }
 
@@ -240,6 +241,7 @@ private:
 Stippling stipple(std::vector<Field> importance, const StippleOptions& options,
                   Observer& observer) {
     Stippling made = recipes::settled(options);
+    made.are_strokes = options.pens && !importance.empty() && !importance.front().stretches.empty();
     Asked asked(observer, {0, options.request.count.value_or(1), 0});
     drawing::Tones tones{
         .sizing = {.by_tone = options.size_by_tone,
