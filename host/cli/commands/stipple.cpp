@@ -42,7 +42,7 @@ Examples:
   lacuna stipple photo.jpg --count 2000 --size-by-tone 0.5 --sharpen 8 -o dots.svg   few dots
   lacuna stipple photo.jpg --along 4 -o hairs.svg             short strokes along the edges
   lacuna stipple photo.jpg --scale 0.003 -o dots.png         as many as there is room for
-  lacuna stipple photo.jpg --count 20000 --relax 0 -o dots.pdf        the set of the 2011 article, grainy
+  lacuna stipple photo.jpg --count 20000 --relax 0 -o dots.pdf    grainy: the set of the article
   lacuna stipple photo.jpg --scale 0.003 --relax 0 --mode exact -o dots.npy   no gap is left
   lacuna stipple photo.jpg --dot-size 0.5mm --paper-size A6 --margin 8mm --pen-path -o plot.svg
                                                              for a plotter with a pen of 0.5 mm
@@ -58,9 +58,10 @@ cells then hold nearly equal darkness, and each dot is in the middle of its cell
 
 With --relax 0 dots are not moved, and are at least a radius apart; the radius is
 G / sqrt(importance), with the G of --scale. Dots come in the order in which they were admitted: the
-first n, for any n, keep these distances, but have gaps. Where radii differ, --metric min (default) keeps two dots at least the
-smaller radius apart, so that dots in light areas take no room from dark areas. With mean and max
-dots in light areas take room from dark ones, and gaps remain along edges of the picture.
+first n, for any n, keep these distances, but have gaps. Where radii differ, --metric min (default)
+keeps two dots at least the smaller radius apart, so that dots in light areas take no room from dark
+areas. With mean and max dots in light areas take room from dark ones, and gaps remain along edges of
+the picture.
 
 With --mode cells dots are placed on a lattice, and about 4 % fewer fit than in the plane. With
 --mode exact they are placed in the plane and no gap is left: the set of lacuna sample --field.
