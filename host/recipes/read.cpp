@@ -156,6 +156,16 @@ void read(const std::string& option, const std::string& text, std::uint32_t& val
     read_whole_number(option, text, value);
 }
 
+std::vector<std::string> parts_of_list(const std::string& text) {
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        parts.push_back(text.substr(begin, comma - begin));
+        begin = comma + 1;
+    }
+    return parts;
+}
+
 void read_domain(const std::string& option, const std::string& text, Domain& domain) {
     const std::string_view view = text;
     const std::size_t cross = view.find_first_of("xX");
@@ -205,11 +215,8 @@ std::optional<Pens> read_pens(const std::string& option, const std::string& text
 
 Pens read_pens_there_are(const std::string& option, const std::string& text) {
     std::vector<double> widths;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        widths.push_back(read_length(option, text.substr(begin, comma - begin), kLeastDot));
-        begin = comma + 1;
-    }
+    for (const std::string& part : parts_of_list(text))
+        widths.push_back(read_length(option, part, kLeastDot));
     std::sort(widths.begin(), widths.end());
     widths.erase(std::unique(widths.begin(), widths.end()), widths.end());
     const double least = widths.front(), most = widths.back();

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace lacuna::recipes {
 
@@ -20,6 +21,9 @@ template <class Value>
 void read(const std::string& option, const std::string& text, std::optional<Value>& value) {
     read(option, text, value.emplace());
 }
+
+// What lies between the commas of a list.
+std::vector<std::string> parts_of_list(const std::string& text);
 
 // The sides of a domain as WIDTHxHEIGHT.
 void read_domain(const std::string& option, const std::string& text, Domain& domain);

@@ -71,6 +71,13 @@ std::vector<png_byte> row_bytes(const Samples& samples, std::size_t begin, std::
 
 }  // namespace
 
+Samples pattern(std::size_t count, unsigned max) {
+    Samples samples(count);
+    for (std::size_t i = 0; i < count; ++i)
+        samples[i] = static_cast<std::uint16_t>((i * 7919 + i * i * 31) % (max + 1));
+    return samples;
+}
+
 std::string png_bytes(const Png& picture, const Samples& samples) {
     std::string file;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -24,6 +25,9 @@ struct Png {
     Samples transparent{};  // the grey, or the red, green and blue, that is transparent
     bool with_profile_and_text = false;
 };
+
+// Samples of 0 to `max`, neither constant nor symmetric.
+Samples pattern(std::size_t count, unsigned max);
 
 // `samples`: row by row, channel by channel, each below 2^depth.
 std::string png_bytes(const Png& png, const Samples& samples);

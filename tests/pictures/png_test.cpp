@@ -18,14 +18,6 @@ std::vector<double> expected_of(const Samples& samples, double max) {
     return expected;
 }
 
-// Neither constant nor symmetric.
-Samples pattern(std::size_t count, unsigned max) {
-    Samples samples(count);
-    for (std::size_t i = 0; i < count; ++i)
-        samples[i] = static_cast<std::uint16_t>((i * 7919 + i * i * 31) % (max + 1));
-    return samples;
-}
-
 TEST(APng, OfGreyInAnyDepthAndSizeInterlacedOrNotGivesEachSampleOverTheLargest) {
     for (const int depth : {1, 2, 4, 8, 16}) {
         const unsigned max = (1U << static_cast<unsigned>(depth)) - 1;

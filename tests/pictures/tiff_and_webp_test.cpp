@@ -94,13 +94,6 @@ std::string tiff_bytes(const Tiff& made, const Samples& samples) {
     return bytes_of_file;
 }
 
-Samples noise(std::size_t count, unsigned max) {
-    Samples samples(count);
-    for (std::size_t i = 0; i < count; ++i)
-        samples[i] = static_cast<std::uint16_t>((i * 7919 + i * i * 31) % (max + 1));
-    return samples;
-}
-
 // What a PNG of the same samples gives, which png_test.cpp tests.
 std::vector<double> as_png(const Tiff& tiff, const Samples& samples) {
     constexpr int kTypes[] = {0, 0, 4, 2, 6};  // PNG's colour type by the number of channels
@@ -124,7 +117,7 @@ TEST(ATiff, GivesThePixelsOfThePngInStripsOrTilesOfAnyCompression) {
                         tiff.tiled = tiled;
                         tiff.mode = mode;
                         const Samples samples =
-                            noise(std::size_t{37} * 21 * channels, (1U << bits) - 1);
+                            pattern(std::size_t{37} * 21 * channels, (1U << bits) - 1);
                         const Image image = decode_image(tiff_bytes(tiff, samples), "file");
                         ASSERT_EQ(image.columns, 37U);
                         ASSERT_EQ(image.rows, 21U);
@@ -140,7 +133,7 @@ TEST(ATiff, GivesThePixelsOfThePngInStripsOrTilesOfAnyCompression) {
 TEST(ATiff, WhoseZeroIsWhiteIsInverted) {
     for (const unsigned bits : {8U, 16U}) {
         Tiff tiff{5, 4, bits};
-        const Samples samples = noise(20, (1U << bits) - 1);
+        const Samples samples = pattern(20, (1U << bits) - 1);
         const std::vector<double> black = decode_image(tiff_bytes(tiff, samples), "f").luminance;
         tiff.photometric = PHOTOMETRIC_MINISWHITE;
         const std::vector<double> white = decode_image(tiff_bytes(tiff, samples), "f").luminance;
@@ -157,7 +150,7 @@ TEST(ATiff, MayHaveLongStripsAndTilesThatAreMuchLongerThanItself) {
     tall.tiled = true;
     tall.tile_length = 70000;
     tall.compression = COMPRESSION_LZW;
-    const Samples samples = noise(320, 255);
+    const Samples samples = pattern(320, 255);
     const Image image = decode_image(tiff_bytes(tall, samples), "f");
     EXPECT_EQ(image.luminance, as_png({16, 20, 8}, samples));
 }
@@ -169,7 +162,7 @@ TEST(ATiff, IsTurnedUpright) {
                 if (tiled && bits == 16) continue;
                 Tiff tiff{19, 20, bits};
                 tiff.tiled = tiled;
-                const Samples samples = noise(380, 255);
+                const Samples samples = pattern(380, 255);
                 const Image expected =
                     upright(decode_image(tiff_bytes(tiff, samples), "f"), orientation);
                 tiff.orientation = orientation;
@@ -192,16 +185,16 @@ TEST(ATiff, ThatIsBrokenOrOfAnotherKindIsRefused) {
     Tiff tiff{40, 30, 32};
     tiff.format = SAMPLEFORMAT_IEEEFP;
     EXPECT_EQ(
-        refused(tiff_bytes(tiff, noise(1200, 9))),
+        refused(tiff_bytes(tiff, pattern(1200, 9))),
         "f: a TIFF of 32 bits a sample: must be 1 to 8 bits, or whole numbers of 16 bits, grey "
         "or RGB, in rows");
     tiff = {40, 30, 16};
     tiff.format = SAMPLEFORMAT_INT;
-    EXPECT_EQ(refused(tiff_bytes(tiff, noise(1200, 9))).substr(0, 40),
+    EXPECT_EQ(refused(tiff_bytes(tiff, pattern(1200, 9))).substr(0, 40),
               "f: a TIFF of 16 bits a sample: must be 1");
     tiff = {40, 30, 8};
     tiff.compression = COMPRESSION_LZW;
-    const std::string whole = tiff_bytes(tiff, noise(1200, 255));
+    const std::string whole = tiff_bytes(tiff, pattern(1200, 255));
     for (const std::size_t length : {std::size_t{4}, std::size_t{8}, whole.size() / 2})
         EXPECT_EQ(refused(whole.substr(0, length)).substr(0, 33),
                   "f: not a whole TIFF: libtiff says")
@@ -237,7 +230,7 @@ std::string with_exif(const std::string& plain, std::uint32_t columns, std::uint
 
 TEST(AWebp, GivesThePixelsOfThePng) {
     for (const int channels : {3, 4}) {
-        Samples samples = noise(static_cast<std::size_t>(31 * 17 * channels), 255);
+        Samples samples = pattern(static_cast<std::size_t>(31 * 17 * channels), 255);
         // Colours under full transparency are not kept.
         for (std::size_t i = 3; channels == 4 && i < samples.size(); i += 4)
             samples[i] = std::max<std::uint16_t>(samples[i], 1);
@@ -249,7 +242,7 @@ TEST(AWebp, GivesThePixelsOfThePng) {
 }
 
 TEST(AWebp, AndAPngAreTurnedUprightAsExifSays) {
-    const Samples samples = noise(5 * 3 * 3, 255);
+    const Samples samples = pattern(5 * 3 * 3, 255);
     const std::string webp = webp_bytes(5, 3, 3, samples);
     const std::string png = png_bytes({5, 3, 8, 2}, samples);
     constexpr std::size_t kAfterHeader = 33;
@@ -267,7 +260,7 @@ TEST(AWebp, AndAPngAreTurnedUprightAsExifSays) {
 }
 
 TEST(AWebp, ThatIsBrokenIsRefused) {
-    const std::string whole = webp_bytes(20, 20, 3, noise(1200, 255));
+    const std::string whole = webp_bytes(20, 20, 3, pattern(1200, 255));
     EXPECT_EQ(refused(whole.substr(0, 14)).substr(0, 22), "f: not a whole WebP: l");
     EXPECT_EQ(refused(whole.substr(0, whole.size() / 2)),
               "f: not a whole WebP: libwebp cannot decode it");

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +23,7 @@
 #include "drawing/dot_count.h"
 #include "files/point_files.h"
 #include "recipes/make.h"
+#include "recipes/read.h"
 #include "recipes/settle.h"
 
 namespace lacuna::cli {
@@ -72,11 +72,10 @@ struct CompareCommand {
 // Splits at commas and removes blanks. The caller refuses empty names.
 std::vector<std::string> split(const std::string& text) {
     std::vector<std::string> names;
-    std::istringstream in(text + ",");
-    for (std::string name; std::getline(in, name, ',');) {
+    for (std::string& name : recipes::parts_of_list(text)) {
         name.erase(0, name.find_first_not_of(' '));
         name.erase(name.find_last_not_of(' ') + 1);
-        names.push_back(name);
+        names.push_back(std::move(name));
     }
     return names;
 }

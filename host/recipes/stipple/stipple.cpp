@@ -49,13 +49,16 @@ public:
         made.rows = all.rows;
         if (options.paper) made.paper = drawing::turned(*options.paper, request().domain);
         style_.sheet = made.paper;
+        mm_ = drawing::millimetres_per_unit(files::PointSet{{}, request().domain}, style_);
     }
 
     void run() {
         choose_count();
         place();
-        if (options_.keep_inside) drawing::pull_inside(tones_, dots(), style_, made_.result.points);
-        if (options_.keep_inside) recipes::note_moves(request(), made_.result);
+        if (options_.keep_inside) {
+            drawing::pull_inside(tones_, dots(), style_, made_.result.points);
+            recipes::note_moves(request(), made_.result);
+        }
         layers_ = tones_.layers;
         if (auto pens = drawing::layers_of_pens(tones_, request().domain, made_.result.points);
             !pens.empty())
@@ -149,8 +152,7 @@ private:
         });
         if (!made_.is_for_a_pen) made_.admitted_length = made_.path_length;
         made_.plot_seconds =
-            drawing::seconds_of(plotter(), made_.result.points.size(),
-                                made_.path_length * drawing::millimetres_per_unit(dots(), style_));
+            drawing::seconds_of(plotter(), made_.result.points.size(), made_.path_length * mm_);
     }
 
     void find_sizes() {
@@ -160,7 +162,7 @@ private:
     }
 
     // The width of the pen, in the domain's unit.
-    double pen() { return options_.pens->least_mm / drawing::millimetres_per_unit(dots(), style_); }
+    double pen() const { return options_.pens->least_mm / mm_; }
 
     // The area that the picture's darkness asks for.
     double ink() {
@@ -168,21 +170,16 @@ private:
         return drawing::darkness_of(tones_.all()) * domain.width * domain.height;
     }
 
-    double seconds_of_path(double length) {
-        return drawing::seconds_of({0, options_.plotter.seconds_per_metre}, 0,
-                                   length * drawing::millimetres_per_unit(dots(), style_));
-    }
-
     // The time without that of drawing strokes, whose length does not depend on their number.
     double seconds_for_dots() {
         const double seconds = *options_.plot_seconds;
         if (!made_.are_strokes) return seconds;
-        const double drawing = seconds_of_path(ink() / pen());
-        if (drawing >= seconds)
+        const double strokes = drawing::seconds_of(plotter(), 0, ink() / pen() * mm_);
+        if (strokes >= seconds)
             throw BadRequest(
                 "plot-time", time_text(seconds),
-                "the strokes alone take " + time_text(drawing) + ": give a wider --dot-size");
-        return seconds - drawing;
+                "the strokes alone take " + time_text(strokes) + ": give a wider --dot-size");
+        return seconds - strokes;
     }
 
     // Makes strokes of the ellipses: as long as the root of their ratio of radii, so that all
@@ -217,15 +214,14 @@ private:
             from = {middle.x + (turns ? -x : x), middle.y + (turns ? -y : y)};
             if (turns) angle += std::numbers::pi;
         }
-        made_.plot_seconds =
-            drawing::seconds_of(options_.plotter, made_.ellipses.size(),
-                                path * drawing::millimetres_per_unit(dots(), style_));
+        made_.plot_seconds = drawing::seconds_of(plotter(), made_.ellipses.size(), path * mm_);
     }
 
     // The width at which the line has as much ink as the picture is dark, or that of the pen.
     void find_width() {
+        const double area = ink();
         // An ink with a pen of its own has its width.
-        made_.line_width = options_.pens ? pen() : ink() / std::max(made_.path_length, ink());
+        made_.line_width = options_.pens ? pen() : area / std::max(made_.path_length, area);
     }
 
     Stippling& made_;
@@ -233,6 +229,7 @@ private:
     const StippleOptions& options_;
     Observer& observer_;
     drawing::Style style_;
+    double mm_ = 0;              // a unit of the domain on the page
     std::vector<Layer> layers_;  // the inks or, if each has several pens, those
 };
 

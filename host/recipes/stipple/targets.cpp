@@ -1,9 +1,6 @@
 // The targets of the options of stipple.
 #include "recipes/targets.h"
 
-#include <algorithm>
-#include <cstddef>
-
 #include "recipes/read.h"
 
 namespace lacuna::recipes {
@@ -44,11 +41,8 @@ void read_plot_time(const std::string& text, std::optional<double>& seconds) {
 }
 
 void read_counts(const std::string& text, std::vector<std::uint64_t>& counts) {
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        read("ink-counts", text.substr(begin, comma - begin), counts.emplace_back());
-        begin = comma + 1;
-    }
+    for (const std::string& part : parts_of_list(text))
+        read("ink-counts", part, counts.emplace_back());
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+// `lacuna mask` writes the ranks of threshold_mask() as a grey PNG of 8 or 16 bits.
+#include <gtest/gtest.h>
+#include <lacuna/threshold_mask.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "expectations.h"
+#include "pictures/image.h"
+#include "program.h"
+
+namespace mask_test {
+
+using namespace lacuna::test;
+
+TEST(Mask, HasTheRanksInProportionToTheLargestNumber) {
+    const Folder folder;
+    const std::string path = folder.path("a.png");
+    const lacuna::ThresholdMask mask = lacuna::threshold_mask(24, 16, 5);
+    for (const unsigned bits : {8U, 16U}) {
+        expect_success({"mask", "24x16", "--seed", "5", "--bits", std::to_string(bits), "--quiet",
+                        "-o", path});
+        const lacuna::pictures::Image image = lacuna::pictures::read_image(path);
+        ASSERT_EQ(image.columns, 24U);
+        ASSERT_EQ(image.rows, 16U);
+        const double most = (1U << bits) - 1;
+        for (std::size_t i = 0; i < mask.ranks.size(); ++i)
+            ASSERT_EQ(image.luminance[i], ((mask.ranks[i] << bits) / 384) / most) << i;
+    }
+}
+
+TEST(Mask, RefusesOtherSidesBitsAndFiles) {
+    const Folder folder;
+    const std::string path = folder.path("a.png");
+    for (const auto& [words, told] : std::vector<std::pair<Words, std::string>>{
+             {{"6x64", "-o", path}, "SIZE 6x64: each side must be 8 to 1024 pixels"},
+             {{"64", "-o", path}, "SIZE 64: must be WIDTHxHEIGHT in pixels, such as 64x64"},
+             {{"64x64", "-o", path, "--bits", "9"}, "--bits 9: must be 8 or 16"},
+             {{"64x64", "-o", folder.path("a.svg")}, "the extension must be .png"}})
+        expect_one_error(run(joined({"mask"}, words)), 2, {told});
+}
+
+}  // namespace mask_test
