@@ -30,8 +30,9 @@ std::optional<GaussianField> checked_gaussian(std::size_t points, const Field* i
     return make_gaussian(points, options);
 }
 
-void descend(std::vector<Point>& points, const GaussianField& field, const RelaxOptions& options,
+void descend(Relaxed& relaxed, const GaussianField& field, const RelaxOptions& options,
              Observer& observer) {
+    std::vector<Point>& points = relaxed.points;
     std::uint64_t done = options.iterations;
     const std::uint64_t all = std::uint64_t{options.iterations} + options.gaussian;
     const auto may_go_on = [&] {
@@ -42,8 +43,10 @@ void descend(std::vector<Point>& points, const GaussianField& field, const Relax
         if (!may_go_on()) throw Cancelled();
     };
     observer.begin(Verb::first_use);
-    const auto backend =
+    const auto [name, backend] =
         make_gaussian_backend(options.place, field, spots_of(points, field, options, poll), poll);
+    relaxed.backend = name;
+    relaxed.device = backend->device();
     observer.end(Verb::first_use);
     backend->watch(may_go_on);
     for (std::uint32_t step = 0; step < options.gaussian; ++step) {

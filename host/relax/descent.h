@@ -19,9 +19,9 @@ void check_gaussian(const Field* importance, const RelaxOptions& options);
 std::optional<GaussianField> checked_gaussian(std::size_t points, const Field* importance,
                                               const RelaxOptions& options);
 
-// Takes the steps with the points. Progress counts on from the iterations of `options`. Throws what
-// relax throws.
-void descend(std::vector<Point>& points, const GaussianField& field, const RelaxOptions& options,
+// Takes the steps with the points, and sets backend and device. Progress counts on from the
+// iterations of `options`. Throws what relax throws.
+void descend(Relaxed& relaxed, const GaussianField& field, const RelaxOptions& options,
              Observer& observer);
 
 }  // namespace lacuna::relaxing

@@ -136,6 +136,12 @@ Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOpti
         relaxing::checked_gaussian(std::max<std::size_t>(points.size(), 1), field, options);
     if (points.empty()) return relaxed;
     const Lattice lattice = relaxing::make_lattice(points.size(), field, options, ask);
+    relaxed.lattice_columns = lattice.numbers.columns;
+    relaxed.lattice_rows = lattice.numbers.rows;
+    if (gaussian && options.iterations == 0 && !options.measure) {
+        relaxing::descend(relaxed, *gaussian, options, observer);
+        return relaxed;
+    }
     const std::vector<Site> start = relaxing::sites_of(points, lattice, options, ask);
     observer.begin(Verb::first_use);
     const relaxing::Chosen chosen =
@@ -143,8 +149,6 @@ Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOpti
     observer.end(Verb::first_use);
     relaxed.backend = chosen.name;
     relaxed.device = chosen.backend->device();
-    relaxed.lattice_columns = lattice.numbers.columns;
-    relaxed.lattice_rows = lattice.numbers.rows;
 
     Iterations run(*chosen.backend, observer, points.size(), options);
     const std::vector<Site> sites = iterate(run, *chosen.backend, lattice, options, relaxed);
@@ -152,7 +156,7 @@ Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOpti
         for (std::size_t i = 0; i < sites.size(); ++i)
             relaxed.points[i] = lattice.to_user(sites[i]);
     if (!gaussian) return relaxed;
-    relaxing::descend(relaxed.points, *gaussian, options, observer);
+    relaxing::descend(relaxed, *gaussian, options, observer);
     if (relaxed.evenness)
         relaxed.evenness->after = relaxed.evenness->after_voronoi = run.variation_without_weights(
             lattice, relaxing::sites_of(relaxed.points, lattice, options, ask));

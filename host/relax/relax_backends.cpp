@@ -99,11 +99,11 @@ Chosen make_relax_backend(const Place& place, const Lattice& lattice, std::span<
             entry.make(lattice, sites, {place.device, place.threads}, poll)};
 }
 
-std::unique_ptr<GaussianBackend> make_gaussian_backend(const Place& place,
-                                                       const GaussianField& field,
-                                                       std::span<const Spot> spots,
-                                                       const Poll& poll) {
-    return chosen(place).make_gaussian(field, spots, {place.device, place.threads}, poll);
+ChosenForGaussian make_gaussian_backend(const Place& place, const GaussianField& field,
+                                        std::span<const Spot> spots, const Poll& poll) {
+    const Entry& entry = chosen(place);
+    return {std::string(entry.name),
+            entry.make_gaussian(field, spots, {place.device, place.threads}, poll)};
 }
 
 }  // namespace lacuna::relaxing

@@ -21,9 +21,12 @@ Chosen make_relax_backend(const Place& place, const Lattice& lattice, std::span<
                           const Poll& poll = nobody_asks);
 
 // The same backend for the descent of the Gaussian energy. The field must outlive it.
-std::unique_ptr<GaussianBackend> make_gaussian_backend(const Place& place,
-                                                       const GaussianField& field,
-                                                       std::span<const Spot> spots,
-                                                       const Poll& poll = nobody_asks);
+struct ChosenForGaussian {
+    std::string name;
+    std::unique_ptr<GaussianBackend> backend;
+};
+ChosenForGaussian make_gaussian_backend(const Place& place, const GaussianField& field,
+                                        std::span<const Spot> spots,
+                                        const Poll& poll = nobody_asks);
 
 }  // namespace lacuna::relaxing

@@ -97,10 +97,11 @@ private:
         const Way way = way_to(at_right_, at_top_, dx, dy);
         const std::size_t pixel = cells_.pixel_of(cell_);
         const std::uint64_t mass = cells_.masses[pixel];
-        const Wide end = Wide{before_ + mass} << kShift;
-        for (; points_.size() < *request_.count && rank_ < end; find_rank()) {
-            const auto part =
-                static_cast<std::uint32_t>((rank_ - (Wide{before_} << kShift)) / mass);
+        const std::uint64_t end = before_ + mass;
+        for (; rank_ >> kShift < end && points_.size() < *request_.count; find_rank()) {
+            // Less than mass << kShift, which has 48 bits.
+            const auto in_cell = static_cast<std::uint64_t>(rank_ - (Wide{before_} << kShift));
+            const auto part = static_cast<std::uint32_t>(in_cell / mass);
             put(way.at(part));
             if (listener_ != nullptr) listener_->put(pixel, part * 0x1p-32);
         }

@@ -55,9 +55,9 @@ TEST_P(Gaussian, gives_the_spots_of_the_reference) {
         const GaussianField field = make_gaussian(scene.points.size(), options);
         const std::vector<Spot> start = spots_of(scene.points, field, options, nobody_asks);
         options.place.backend = "reference";
-        const auto reference = make_gaussian_backend(options.place, field, start);
+        const auto reference = make_gaussian_backend(options.place, field, start).backend;
         options.place.backend = GetParam();
-        const auto backend = make_gaussian_backend(options.place, field, start);
+        const auto backend = make_gaussian_backend(options.place, field, start).backend;
         EXPECT_TRUE(descended(*reference, kSteps) == descended(*backend, kSteps)) << scene;
     }
 }

@@ -36,7 +36,7 @@ protected:
         const std::vector<Point> points = tests::random_points(400, 1, 1, 1);
         const GaussianField field = make_gaussian(points.size(), options);
         const std::vector<Spot> start = spots_of(points, field, options, nobody_asks);
-        const auto right = descended(*make_gaussian_backend(options.place, field, start));
+        const auto right = descended(*make_gaussian_backend(options.place, field, start).backend);
         for (const Fault& fault : faults) {
             try {
                 const auto faulty = device::make_gaussian_backend(
