@@ -9,11 +9,14 @@ function(lacuna_embed_kernels target name)
     string(REPLACE "|" ";" files "${ARGN}")
     set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
     file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/kernels/*.h)
+    list(TRANSFORM files REPLACE "[^/]+$" "*.h" OUTPUT_VARIABLE beside)
+    list(REMOVE_DUPLICATES beside)
+    file(GLOB beside CONFIGURE_DEPENDS ${beside})
     set(script ${PROJECT_SOURCE_DIR}/cmake/embed_kernels.cmake)
     add_custom_command(OUTPUT ${output}
         COMMAND ${CMAKE_COMMAND} -D NAME=${name} -D "GROUPS=${ARGN}" -D OUTPUT=${output}
             -D INCLUDE_DIR=${PROJECT_SOURCE_DIR}/kernels -P ${script}
-        DEPENDS ${files} ${headers} ${script} VERBATIM
+        DEPENDS ${files} ${headers} ${beside} ${script} VERBATIM
         COMMENT "Embedding OpenCL kernels: ${name}")
     target_sources(${target} PRIVATE ${output})
     # Each of these files has constants of the same names.

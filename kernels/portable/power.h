@@ -105,8 +105,8 @@ LACUNA_FN u64 moved_weight(RelaxLattice lattice, u64 weight, u64 mass, u32 point
     if (mass != 0u)
         step = weight_step(weight_growth(mass, lattice.mean_mass), points, lattice.step_x,
                            lattice.step_y);
-    // In signed numbers: NVIDIA's Vulkan driver 580.159 made wrong weights of unsigned ones that
-    // were cut off at 0.
+    // In signed numbers: with NVIDIA's Vulkan driver 580.159, a > b ? a - b : 0u of unsigned 64-bit
+    // numbers is a - b where a is below b, too.
     i64 greatest = to_i64(even_weight(lattice.farthest) * 2u);
     i64 change = to_i64(step);
     i64 moved = to_i64(weight) + (mass < lattice.mean_mass ? -change : change);

@@ -10,6 +10,7 @@
 #include "portable/failure.h"
 #include "portable/isqrt.h"
 #include "portable/metric.h"
+#include "portable/power.h"
 #include "portable/stretch.h"
 
 LACUNA_BEGIN
@@ -35,6 +36,9 @@ LACUNA_TYPEDEF(Numbers)
 struct Answers {
     u64 root;
     u64 metric_squared;
+    u64 weight;
+    u64 bounded_weight;
+    u64 reach_of_weight;
     Interval chord;
     u32 is_held;
     u32 window_height;
@@ -59,8 +63,34 @@ struct Answers {
     u32 bit;
     u32 radius_class;
     u32 bound;
+    u32 centre;
+    u32 place;
 };
 LACUNA_TYPEDEF(Answers)
+
+// A step of a relaxed sample, within the limits of portable/power.h.
+LACUNA_FN Answers relaxed(Answers a, Numbers q) {
+    u64 one = 1u;
+    RelaxLattice lattice;
+    lattice.farthest = q.n / 4u + 2u;
+    lattice.mean_mass = q.radius_squared % (one << 40u) + 1u;
+    lattice.lonely_step = q.radius_squared % (one << 28u) + 1u;
+    lattice.step_x = 256u;
+    lattice.step_y = 256u + q.by % 256u;
+    u64 mass = q.line % 4u == 0u ? lattice.mean_mass : (one << (q.line % 47u)) + q.ax - 1u;
+    u64 weight = q.line % 3u == 0u ? 0u : q.radius_squared % (lattice.farthest + 1u);
+    a.weight = moved_weight(lattice, weight, q.line % 5u == 0u ? 0u : mass, q.ay);
+    a.bounded_weight = bounded_weight(lattice.farthest, weight, q.n / 8u);
+    a.reach_of_weight = reach_of_weight(lattice.farthest, weight);
+    u32 length = (q.columns % 2097151u + 1u) * 256u;
+    u32 period = q.period_x == 0u ? 0u : length;
+    u64 moment = q.columns % 2097151u + 1u;
+    mass = mass % (one << 40u) + 1u;
+    a.centre = centre_of_mass(moment * mass + q.n % mass, mass, q.ax % length, 256u,
+                              q.columns % 2097151u + 1u, period);
+    a.place = moved_place(q.ax % length, q.bx % length, q.line % LONG_WAY, length, period);
+    return a;
+}
 
 LACUNA_FN Answers answer(Numbers q) {
     Answers a;
@@ -107,7 +137,7 @@ LACUNA_FN Answers answer(Numbers q) {
     a.chord = common_part(chord_around(ellipse, dx, to_i64(q.columns % 4u)),
                           chord_around(circle_of(q.radius % 0x80000000u + 2u), dx, 0));
     a.window_height = height_in_window(q.line % 3u, way_to(dx, dy, q.period_x), q.height);
-    return a;
+    return relaxed(a, q);
 }
 
 LACUNA_END

@@ -136,7 +136,9 @@ protected:
         queue->download(buffers[2], std::as_writable_bytes(std::span(off_by)));
         queue->wait();
 
-        EXPECT_GT(queue->work().launches, 1u) << "so many items are served in parts";
+        if (queue->device().kind == "cpu") {
+            EXPECT_GT(queue->work().launches, 1u) << "so many items are served in parts";
+        }
         for (u32 i = 0; i < kItems; ++i) {
             const Numbers& q = questions[i];
             const Answers expected = answer(q);
