@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lacuna/lacuna.h>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -55,6 +56,9 @@ public:
 
     virtual std::string device() const = 0;
     virtual Work work() const { return {}; }
+    // Memory for the draws of a round, from which locate reads them fastest. It may be empty, and
+    // is valid until the next call.
+    virtual std::span<Draw> room_for_draws(std::size_t) { return {}; }
     // The draws are sorted by bin, then rank. They must stay as they are until finish_round().
     virtual void locate(std::span<const Draw> draws) = 0;
     virtual void admit() = 0;

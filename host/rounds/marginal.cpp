@@ -219,7 +219,7 @@ void Marginal::draw_bits(std::uint64_t first_number, std::uint32_t count) {
     });
     find_ends(chunks);
     sum_before(orders);
-    draws_.resize(part_ends_.back());
+    make_room(part_ends_.back());
     numbers_.resize(part_ends_.back() < count ? part_ends_.back() : 0);
     workers_.for_columns(chunks, count, [&](std::uint32_t chunk) {
         const std::span<std::uint32_t> ends = std::span(chunk_ends_).subspan(chunk * parts, parts);
@@ -233,6 +233,13 @@ void Marginal::draw_bits(std::uint64_t first_number, std::uint32_t count) {
                            draw.order = order++;
                        });
     });
+}
+
+void Marginal::make_room(std::size_t count) {
+    draws_ = room_ ? room_(count) : std::span<Draw>();
+    if (draws_.size() == count) return;
+    own_room_.resize(count);
+    draws_ = own_room_;
 }
 
 void Marginal::find_ends(std::size_t chunks) {
@@ -288,10 +295,10 @@ std::span<const Draw> Marginal::invert(std::uint64_t first_number, std::uint32_t
     workers_.for_columns(
         static_cast<std::uint32_t>(part_ends_.size()), draws_.size(), [&](std::uint32_t part) {
             const std::uint32_t begin = part == 0 ? 0 : part_ends_[part - 1];
-            invert_part(first_number, std::span(draws_).subspan(begin, part_ends_[part] - begin));
+            invert_part(first_number, draws_.subspan(begin, part_ends_[part] - begin));
         });
     if (plan_.is_uniform_x())  // ranks of uniform-x do not ascend with the bits
-        insertion_sort(std::span(draws_), [](const Draw& a, const Draw& b) {
+        insertion_sort(draws_, [](const Draw& a, const Draw& b) {
             return a.bin != b.bin ? a.bin < b.bin : a.rank < b.rank;
         });
     return draws_;

@@ -2,6 +2,7 @@
 // inversion (Eq. 2). Draws are sorted first, so that one walk along the sums inverts all of them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -27,9 +28,11 @@ struct CdfShare {
 class Marginal {
 public:
     // The workers do everything in parallel except the running sums. While these are made, `poll`
-    // is called now and then; it may throw to end the work.
-    Marginal(const Plan& plan, Workers& workers, std::function<void()> poll)
-        : plan_(plan), workers_(workers), poll_(std::move(poll)) {}
+    // is called now and then; it may throw to end the work. The draws of a round are made where
+    // `room` says, see Backend::room_for_draws.
+    using Room = std::function<std::span<Draw>(std::size_t)>;
+    Marginal(const Plan& plan, Workers& workers, std::function<void()> poll, Room room = {})
+        : plan_(plan), workers_(workers), poll_(std::move(poll)), room_(std::move(room)) {}
 
     // Makes new running sums from the free length of every bin. All bins are `bin_width` wide,
     // unless bin_widths has the width of each. invert() reads lengths and widths again, so they
@@ -67,12 +70,15 @@ private:
     template <typename Visit>
     void for_each_drawn(std::uint64_t first_number, Span numbers, Visit visit) const;
     void draw_bits(std::uint64_t first_number, std::uint32_t count);
+    void make_room(std::size_t count);
     void find_ends(std::size_t chunks);
     void invert_part(std::uint64_t first_number, std::span<Draw> part) const;
 
     const Plan& plan_;
     Workers& workers_;
     std::function<void()> poll_;
+    Room room_;
+    std::vector<Draw> own_room_;  // where room_ has none
     std::span<const std::uint32_t> lengths_;
     std::uint32_t bin_width_ = 0;
     std::span<const std::uint32_t> widths_;
@@ -81,7 +87,7 @@ private:
     std::optional<SheetShares> sheet_shares_;  // with classes
     Bits bits_;
     // Until a draw is inverted, its bin and rank hold its random bits.
-    std::vector<Draw> draws_;               // grouped by part, the highest bits
+    std::span<Draw> draws_;                 // grouped by part, the highest bits
     std::vector<std::uint32_t> numbers_;    // by order; empty if all draws are in the share
     unsigned part_bits_ = 0;                // number of bits that select a part
     std::vector<std::uint32_t> part_ends_;  // index in draws_

@@ -4,6 +4,7 @@
 
 #include <lacuna/run.h>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -45,9 +46,13 @@ struct Round {
     std::span<const std::uint32_t> sheet_ends = {};
 };
 
+// A function that takes the samples of a round, in order of admission.
+using TakeSamples = std::function<void(std::span<const Sample>)>;
+
 // The result of all rounds of a plan.
 struct Outcome {
-    std::vector<Sample> samples;  // in order of admission
+    std::uint64_t count = 0;      // of samples
+    std::vector<Sample> samples;  // in order of admission; none where TakeSamples took them
     std::uint64_t rounds = 0;
     std::uint64_t draws = 0;
     Work work{};

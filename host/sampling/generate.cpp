@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "backends/backends.h"
 #include "backends/reference/reference.h"
+#include "base/append.h"
 #include "base/large_pages.h"
 #include "plan/first_free.h"
 #include "rounds/round_policy.h"
@@ -17,12 +19,10 @@
 
 namespace lacuna {
 
-Outcome generate(const Plan& plan, Backend& untimed, Observer& observer) {
+Outcome generate(const Plan& plan, Backend& untimed, Observer& observer, const TakeSamples& take) {
     Outcome outcome;
-    outcome.samples.reserve(plan.expected_samples);
-    ask_for_large_pages(outcome.samples.data(), plan.expected_samples);
     const auto may_go_on = [&] {
-        const std::uint64_t points = outcome.samples.size();
+        const std::uint64_t points = outcome.count;
         const std::uint64_t expected = std::max(points, plan.expected_samples);
         return observer.keep_going({points, expected, outcome.rounds});
     };
@@ -30,13 +30,13 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer) {
         if (!may_go_on()) throw Cancelled();
     };
     TimedBackend backend(untimed, observer);
-    TimedMarginal marginal(plan, backend.workers(), poll, observer);
+    TimedMarginal marginal(plan, backend, poll, observer);
     RoundPolicy policy(plan);
     backend.watch(may_go_on);
     const FirstFree all_free(plan);
     marginal.rebuild(all_free.lengths, plan.strip_width, all_free.widths, all_free.sheet_ends);
 
-    while (marginal.total() > 0 && outcome.samples.size() < plan.limit) {
+    while (marginal.total() > 0 && outcome.count < plan.limit) {
         const std::span<const Draw> draws =
             marginal.invert(plan.first_draw + outcome.draws, policy.size());
         backend.locate(draws);
@@ -47,7 +47,10 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer) {
             backend.subtract();
         const Round round = backend.finish_round();
 
-        outcome.samples.insert(outcome.samples.end(), round.samples.begin(), round.samples.end());
+        const std::uint64_t wanted =
+            std::min<std::uint64_t>(round.samples.size(), plan.limit - outcome.count);
+        take(round.samples.first(static_cast<std::size_t>(wanted)));
+        outcome.count += wanted;
         outcome.draws += draws.size();
         outcome.rounds++;
         policy.note(round.survivors, round.samples.size(), round.free_lengths.size(),
@@ -56,18 +59,29 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer) {
         poll();
     }
     outcome.work = untimed.work();
-    if (outcome.samples.size() > plan.limit) outcome.samples.resize(plan.limit);
     return outcome;
 }
 
-void begin_points(const Request& request, Result& result) {
+Outcome generate(const Plan& plan, Backend& backend, Observer& observer) {
+    std::vector<Sample> all;
+    all.reserve(plan.expected_samples);
+    Outcome outcome = generate(plan, backend, observer, [&](std::span<const Sample> samples) {
+        all.insert(all.end(), samples.begin(), samples.end());
+    });
+    outcome.samples = std::move(all);
+    return outcome;
+}
+
+void begin_points(const Request& request, std::size_t expected, Result& result) {
+    result.points.reserve(request.keep.size() + expected);
+    ask_for_large_pages(result.points.data(), result.points.capacity());
     result.points.assign(request.keep.begin(), request.keep.end());
     result.classes.assign(request.keep_classes.begin(), request.keep_classes.end());
 }
 
-void append_points(const Plan& plan, std::span<const Sample> samples, Result& result) {
-    result.points.reserve(result.points.size() + samples.size());
-    ask_for_large_pages(result.points.data(), result.points.capacity());
+void append_points(const Plan& plan, std::span<const Sample> samples, Workers& workers,
+                   Result& result) {
+    make_room_to_append(result.points, samples.size(), workers);
     for (const Sample& sample : samples) result.points.push_back(plan.to_user(sample));
     if (!plan.has_field() || !plan.field().sheets.are_several()) return;
     for (const Sample& sample : samples)
@@ -79,13 +93,32 @@ void cut_points(std::size_t count, Result& result) {
     if (!result.classes.empty()) result.classes.resize(count);
 }
 
-Run run_on_backend(const Request& request, const Plan& plan, Observer& observer) {
+namespace {
+
+// `generate` runs the loop on the backend; the reference has a loop of its own.
+template <typename Generate>
+Run run_with(const Request& request, const Plan& plan, Observer& observer, Generate generate) {
     const ReadyBackend ready = make_backend(request.place, plan, observer);
 #ifndef LACUNA_CPU_ONLY
     if (ready.backend == nullptr)
         return {reference::sample(plan, observer), ready.name, "1 thread"};
 #endif
-    return {generate(plan, *ready.backend, observer), ready.name, ready.backend->device()};
+    return {generate(*ready.backend), ready.name, ready.backend->device()};
+}
+
+}  // namespace
+
+Run run_on_backend(const Request& request, const Plan& plan, Observer& observer) {
+    return run_with(request, plan, observer,
+                    [&](Backend& backend) { return generate(plan, backend, observer); });
+}
+
+Run run_on_backend(const Request& request, const Plan& plan, Observer& observer,
+                   const TakeSamples& take) {
+    Run run = run_with(request, plan, observer,
+                       [&](Backend& backend) { return generate(plan, backend, observer, take); });
+    if (!run.outcome.samples.empty()) take(std::exchange(run.outcome.samples, {}));
+    return run;
 }
 
 }  // namespace lacuna

@@ -22,14 +22,18 @@ struct Run {
 // Runs the plan on the backend that the request asks for. Throws Unavailable, Cancelled,
 // DeviceError.
 Run run_on_backend(const Request& request, const Plan& plan, Observer& observer);
+Run run_on_backend(const Request& request, const Plan& plan, Observer& observer,
+                   const TakeSamples& take);
 
-// The points of a result: the kept ones first, then samples of a plan, each with its class if there
-// are classes. cut_points leaves out all but the first `count`.
-void begin_points(const Request& request, Result& result);
-void append_points(const Plan& plan, std::span<const Sample> samples, Result& result);
+// The points of a result: the kept ones first, with room for `expected` more; then samples of a
+// plan, each with its class if there are classes. cut_points leaves out all but the first `count`.
+void begin_points(const Request& request, std::size_t expected, Result& result);
+void append_points(const Plan& plan, std::span<const Sample> samples, Workers& workers,
+                   Result& result);
 void cut_points(std::size_t count, Result& result);
 
 // Makes a maximal set, or its first plan.limit samples. Throws Cancelled, DeviceError.
 Outcome generate(const Plan& plan, Backend& backend, Observer& observer);
+Outcome generate(const Plan& plan, Backend& backend, Observer& observer, const TakeSamples& take);
 
 }  // namespace lacuna

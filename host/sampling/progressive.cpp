@@ -118,8 +118,9 @@ Result progressive(const CheckedRequest& request, Observer& observer, const Poll
     const FieldSize last = check_radius_field_size(request, size_at_the_end(request, poll), poll);
     const std::optional<std::uint64_t> limit = at_size(request, sizes.at(0))->limit;
     const auto most = static_cast<std::uint64_t>(std::min(last.samples, 1e18));
+    Workers workers(request->place.threads);
     Result result;
-    begin_points(request, result);
+    begin_points(request, 0, result);
     std::vector<Sample> samples;  // of all levels
     Onward onward(observer, result, std::min(most, limit.value_or(most)));
     for (int level = first_level(request, sizes);; ++level) {
@@ -128,7 +129,7 @@ Result progressive(const CheckedRequest& request, Observer& observer, const Poll
         plan.first_draw = result.draws;
         const Run run = run_on_backend(request_now, plan, onward);
 
-        append_points(plan, run.outcome.samples, result);
+        append_points(plan, run.outcome.samples, workers, result);
         samples.insert(samples.end(), run.outcome.samples.begin(), run.outcome.samples.end());
         result.draws += run.outcome.draws;
         result.work += run.outcome.work;
@@ -138,7 +139,7 @@ Result progressive(const CheckedRequest& request, Observer& observer, const Poll
         result.lines_per_radius = plan.lines_per_radius;
         result.backend = run.backend;
         result.device = run.device;
-        const bool is_whole = run.outcome.samples.size() < plan.limit;
+        const bool is_whole = run.outcome.count < plan.limit;
         if (is_whole) result.levels.push_back({sizes.at(level), result.points.size()});
         if (is_whole && !sizes.is_last(level)) continue;
         result.maximal = is_whole;

@@ -34,14 +34,16 @@ Result run(const CheckedRequest& request, const std::optional<FieldSums>& sums,
     const Plan plan = sums                          ? make_cells_plan(request, *sums, ask)
                       : needs_radius_field(request) ? make_radius_field_plan(request, ask)
                                                     : make_plan(request);
-    const Run run = run_on_backend(request, plan, observer);
     Result result;
-    begin_points(request, result);
-    append_points(plan, run.outcome.samples, result);
+    begin_points(request, plan.expected_samples, result);
+    Workers workers(request->place.threads);
+    const Run run = run_on_backend(request, plan, observer, [&](std::span<const Sample> samples) {
+        append_points(plan, samples, workers, result);
+    });
     result.radius = plan.user_radius;
     result.scale = plan.user_scale;
     result.lines_per_radius = plan.lines_per_radius;
-    result.maximal = run.outcome.samples.size() < plan.limit;
+    result.maximal = run.outcome.count < plan.limit;
     result.rounds = run.outcome.rounds;
     result.draws = run.outcome.draws;
     result.work = run.outcome.work;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lacuna/lacuna.h>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <functional>
@@ -45,6 +46,9 @@ public:
         if (observer_.times_verbs()) backend_.time_verbs();
     }
 
+    std::span<Draw> room_for_draws(std::size_t count) override {
+        return backend_.room_for_draws(count);
+    }
     void locate(std::span<const Draw> draws) override {
         const Timed timed(observer_, Verb::locate);
         backend_.locate(draws);
@@ -85,9 +89,11 @@ private:
 
 class TimedMarginal {
 public:
-    TimedMarginal(const Plan& plan, Workers& workers, std::function<void()> poll,
+    TimedMarginal(const Plan& plan, Backend& backend, std::function<void()> poll,
                   Observer& observer)
-        : marginal_(plan, workers, std::move(poll)), observer_(observer) {}
+        : marginal_(plan, backend.workers(), std::move(poll),
+                    [&](std::size_t count) { return backend.room_for_draws(count); }),
+          observer_(observer) {}
 
     void rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t bin_width,
                  std::span<const std::uint32_t> bin_widths = {},

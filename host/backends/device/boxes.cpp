@@ -52,11 +52,12 @@ std::vector<Box> Boxes::get() const {
 }
 
 void Boxes::set_sizes(std::span<const Box> boxes) {
-    sizes_.clear();
-    for (const Box& box : boxes) sizes_.push_back(box.end - box.begin);
-    if (!has_field()) return;
-    for (const Box& box : boxes) sizes_.push_back(box.width);
-    sheet_ends_ = sheet_ends_of(round_.plan, boxes);
+    first_sizes_.clear();
+    for (const Box& box : boxes) first_sizes_.push_back(box.end - box.begin);
+    for (const Box& box : boxes.first(has_field() ? boxes.size() : 0))
+        first_sizes_.push_back(box.width);
+    sizes_ = first_sizes_;
+    if (has_field()) sheet_ends_ = sheet_ends_of(round_.plan, boxes);
 }
 
 void Boxes::make_room(std::uint32_t count) {
@@ -166,7 +167,7 @@ bool Boxes::queue_rest() {
 }
 
 void Boxes::download() {
-    round_.download_results(sizes_, std::size_t{listing().words_of_bin} * round_.new_boxes());
+    sizes_ = round_.download_results(std::size_t{listing().words_of_bin} * round_.new_boxes());
     if (has_field() && round_.plan.field().sheets.are_several()) {
         new_boxes_.resize(round_.new_boxes());
         round_.get<Box>(round_.memory.new_boxes, new_boxes_);

@@ -24,9 +24,9 @@ public:
     std::uint32_t width() const { return width_; }
     // The first box of each column of lines, then the number of boxes: for Round::bin_begins.
     std::span<const std::uint32_t> begins() const { return bin_begins_; }
-    std::span<const std::uint32_t> free_lengths() const { return std::span(sizes_).first(count_); }
+    std::span<const std::uint32_t> free_lengths() const { return sizes_.first(count_); }
     std::span<const std::uint32_t> widths() const {
-        return has_field() ? std::span(sizes_).subspan(count_, count_) : std::span(sizes_).first(0);
+        return has_field() ? sizes_.subspan(count_, count_) : sizes_.first(0);
     }
     // With classes, as in Round.
     std::span<const std::uint32_t> sheet_ends() const { return sheet_ends_; }
@@ -71,7 +71,8 @@ private:
     std::uint32_t width_;
     std::uint32_t count_ = 0;
     std::vector<std::uint32_t> bin_begins_;
-    std::vector<std::uint32_t> sizes_;  // lengths; with a radius field then widths
+    std::span<const std::uint32_t> sizes_;    // lengths; with a radius field then widths
+    std::vector<std::uint32_t> first_sizes_;  // of boxes that no kernel has made
     std::vector<std::uint32_t> sheet_ends_;
     std::vector<Box> new_boxes_;  // with classes, as downloaded
 

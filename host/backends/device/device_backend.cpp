@@ -17,8 +17,12 @@ namespace {
 
 class DeviceBackend : public Backend {
 public:
-    DeviceBackend(std::unique_ptr<Queue> queue, const Plan& plan, const Tuning& tuning)
-        : queue_(std::move(queue)), round_(plan, *queue_), bins_(make_bins(tuning)) {}
+    DeviceBackend(std::unique_ptr<Queue> queue, const Plan& plan, std::uint32_t threads,
+                  const Tuning& tuning)
+        : queue_(std::move(queue)),
+          workers_(threads),
+          round_(plan, *queue_),
+          bins_(make_bins(tuning)) {}
 
     // Transfers into this object's memory may still be under way when an error ends a run.
     ~DeviceBackend() override { queue_->drain(); }
@@ -35,6 +39,14 @@ public:
     void watch(std::function<bool()> may_go_on) override {
         workers_.watch(may_go_on);
         queue_->watch(std::move(may_go_on));
+    }
+
+    std::span<Draw> room_for_draws(std::size_t count) override {
+        if (draws_.bytes() < count * sizeof(Draw)) {
+            draws_ = {};  // frees the old memory first
+            draws_ = queue_->host_memory(count * sizeof(Draw));
+        }
+        return draws_.values<Draw>(count);
     }
 
     void locate(std::span<const Draw> draws) override {
@@ -74,11 +86,10 @@ public:
 
     Round finish_round() override {
         finish();
-        round_.take_samples(samples_);
         if (round_.plan.tells_orders) round_.find_orders(orders_);
-        return {samples_,        round_.survivors(), bins_->free_lengths(),
-                bins_->width(),  bins_->widths(),    orders_,
-                bins_->begins(), bins_->sheet_ends()};
+        return {round_.samples(), round_.survivors(), bins_->free_lengths(),
+                bins_->width(),   bins_->widths(),    orders_,
+                bins_->begins(),  bins_->sheet_ends()};
     }
     std::vector<Candidate> located() override {
         settle();
@@ -200,7 +211,7 @@ private:
             round_.count_samples({});
             round_.list_samples({});
             settle();
-            round_.download_results(samples_alone_, 0);
+            round_.download_results(0);
         }
         queue_->wait();
         if (has_ended()) bins_->end_round();
@@ -233,12 +244,11 @@ private:
     }
 
     std::unique_ptr<Queue> queue_;
-    Workers workers_{0};
+    Workers workers_;
     RoundMemory round_;
     std::unique_ptr<Bins> bins_;
-    std::vector<Sample> samples_;
+    HostMemory draws_;
     std::vector<std::uint32_t> orders_;  // with plan.tells_orders
-    std::vector<std::uint32_t> samples_alone_;
     bool times_verbs_ = false;
     Stage stage_ = Stage::none;
 };
@@ -246,10 +256,10 @@ private:
 }  // namespace
 
 std::unique_ptr<Backend> make_backend(std::unique_ptr<Queue> queue, const Plan& plan,
-                                      const Tuning& tuning) {
+                                      std::uint32_t threads, const Tuning& tuning) {
     const DeviceEntry& device = queue->device();
     refuse_if_too_large(device.name, plan, device.memory_bytes, device.largest_buffer_bytes);
-    return std::make_unique<DeviceBackend>(std::move(queue), plan, tuning);
+    return std::make_unique<DeviceBackend>(std::move(queue), plan, threads, tuning);
 }
 
 }  // namespace lacuna::device

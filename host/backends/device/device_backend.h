@@ -1,6 +1,7 @@
 // The backend of every device: queues the verbs, and completes each round.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "backends/backend.h"
@@ -10,8 +11,9 @@
 
 namespace lacuna::device {
 
-// Throws Unavailable where the device is too small for the plan.
+// The host's part has `threads` threads, 0: one for each core. Throws Unavailable where the device
+// is too small for the plan.
 std::unique_ptr<Backend> make_backend(std::unique_ptr<Queue> queue, const Plan& plan,
-                                      const Tuning& tuning);
+                                      std::uint32_t threads, const Tuning& tuning);
 
 }  // namespace lacuna::device

@@ -129,7 +129,7 @@ public:
 
     void download() override {
         round_.get<std::uint32_t>(round_.memory.free_lengths, free_lengths_);
-        round_.download_results(samples_, 0);
+        round_.download_results(0);
     }
 
     std::span<const std::uint32_t> free_lengths() const override { return free_lengths_; }
@@ -257,7 +257,6 @@ private:
     std::uint32_t words_;  // of a line
     bool serves_chunks_;
     std::vector<std::uint32_t> free_lengths_;
-    std::vector<std::uint32_t> samples_;  // their coordinates, as downloaded
 
     std::uint32_t widest_ = 0;       // the longest reach
     std::uint32_t short_reach_ = 0;  // the longest reach that needs only the fewest slices

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
+#include <utility>
 
 namespace lacuna::device {
 namespace {
@@ -24,6 +26,42 @@ void Queue::ask() {
     discard();
     queued_ = 0;
     throw Cancelled();
+}
+
+HostMemory HostMemoryPool::take(const std::shared_ptr<HostMemoryPool>& pool, std::uint64_t bytes,
+                                const Make& make) {
+    const auto fits = [&](const HostMemory& one) { return one.bytes() >= bytes; };
+    HostMemory memory;
+    {
+        const std::lock_guard lock(pool->mutex_);
+        const auto found = std::find_if(pool->free_.begin(), pool->free_.end(), fits);
+        if (found != pool->free_.end()) {
+            memory = std::move(*found);
+            pool->free_.erase(found);
+        }
+    }
+    if (memory.bytes() == 0) memory = make();
+    const auto give_back = [pool, memory](void*) { pool->give_back(memory); };
+    return {std::shared_ptr<void>(memory.handle(), give_back),
+            memory.values<std::byte>(static_cast<std::size_t>(memory.bytes()))};
+}
+
+void HostMemoryPool::give_back(HostMemory memory) {
+    const std::lock_guard lock(mutex_);
+    const auto place = std::find_if(free_.begin(), free_.end(), [&](const HostMemory& one) {
+        return one.bytes() >= memory.bytes();
+    });
+    free_.insert(place, std::move(memory));  // the smallest first, as take() wants them
+    std::uint64_t held = 0;
+    for (const HostMemory& one : free_) held += one.bytes();
+    for (; held > kMostBytes; free_.erase(free_.begin())) held -= free_.front().bytes();
+}
+
+HostMemory Queue::host_memory(std::uint64_t bytes) {
+    const auto size = static_cast<std::size_t>(bytes);
+    std::shared_ptr<std::byte[]> memory = std::make_unique_for_overwrite<std::byte[]>(size);
+    const std::span<std::byte> all(memory.get(), size);
+    return {std::move(memory), all};
 }
 
 std::size_t Queue::number_of(std::string_view kernel) {

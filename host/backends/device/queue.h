@@ -7,10 +7,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "backends/device/choice.h"
 
@@ -35,6 +38,53 @@ private:
     std::uint64_t bytes_ = 0;
 };
 
+// Memory of the host for transfers. Where a device can read and write the host's memory itself, it
+// does so with this memory, and the driver copies nothing. Copies refer to the same memory.
+class HostMemory {
+public:
+    HostMemory() = default;
+    HostMemory(std::shared_ptr<void> handle, std::span<std::byte> bytes)
+        : handle_(std::move(handle)), bytes_(bytes) {}
+
+    std::uint64_t bytes() const { return bytes_.size(); }
+    void* handle() const { return handle_.get(); }
+    bool has_copies() const { return handle_.use_count() > 1; }
+    bool contains(std::span<const std::byte> other) const {
+        const std::less_equal<> is_at_most;
+        return is_at_most(bytes_.data(), other.data()) &&
+               is_at_most(other.data() + other.size(), bytes_.data() + bytes_.size());
+    }
+    // `count` values, of which the first is at the byte `offset`. They begin undefined.
+    template <typename T>
+    std::span<T> values(std::size_t count, std::size_t offset = 0) const {
+        static_assert(std::is_trivially_copyable_v<T>);
+        return {reinterpret_cast<T*>(bytes_.data() + offset), count};
+    }
+
+private:
+    std::shared_ptr<void> handle_;
+    std::span<std::byte> bytes_;
+};
+
+// The host's memory that a device's queues have used: it is given out again, because it takes long
+// to make. Holds at most kMostBytes, and is thread-safe.
+class HostMemoryPool {
+public:
+    using Make = std::function<HostMemory()>;
+
+    // Memory of at least `bytes` bytes: some that was given back, otherwise made by `make`.
+    static HostMemory take(const std::shared_ptr<HostMemoryPool>& pool, std::uint64_t bytes,
+                           const Make& make);
+
+private:
+    static constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 28;
+
+    void give_back(HostMemory memory);
+
+    std::mutex mutex_;
+    std::vector<HostMemory> free_;
+};
+
 // A kernel of portable/kernels.h.
 struct KernelShape {
     std::string_view name;
@@ -51,6 +101,9 @@ public:
     virtual const DeviceEntry& device() const = 0;
     // Makes a buffer of at least `bytes` bytes, whose content is undefined.
     virtual Buffer make(std::uint64_t bytes) = 0;
+    // Makes memory of at least `bytes` bytes for upload() and download(), which take any other,
+    // too.
+    virtual HostMemory host_memory(std::uint64_t bytes);
     // Sets the first words.
     virtual void fill(const Buffer& buffer, std::uint32_t value, std::uint64_t words) = 0;
     // `from` must stay as it is until wait() returns.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <numeric>
 #include <string>
 #include <tuple>
@@ -161,20 +160,17 @@ void RoundMemory::list_samples(Listing listing) {
                                   arguments.chunk);
 }
 
-void RoundMemory::download_results(std::vector<std::uint32_t>& bins, std::size_t words_of_bins) {
-    const std::size_t words = words_of_bins + 2 * std::size_t{report[SAMPLES_WORD]};
-    if (bins.size() < words) bins.resize(words);  // it never shrinks: growing fills it with zeros
-    get<std::uint32_t>(memory.results, std::span(bins).first(words));
-    results_ = &bins;
-    samples_at_ = words_of_bins;
-}
-
-void RoundMemory::take_samples(std::vector<Sample>& samples) const {
+std::span<const std::uint32_t> RoundMemory::download_results(std::size_t words_of_bins) {
     static_assert(sizeof(Sample) == 2 * kWord);
-    samples.resize(report[SAMPLES_WORD]);
-    if (!samples.empty())
-        std::memcpy(samples.data(), results_->data() + samples_at_,
-                    samples.size() * sizeof(Sample));
+    const std::size_t words = words_of_bins + 2 * std::size_t{report[SAMPLES_WORD]};
+    if (results_.bytes() < words * kWord) {
+        results_ = {};  // frees the old memory first
+        results_ = queue.host_memory(memory.results.bytes());
+    }
+    const std::span<std::uint32_t> all = results_.values<std::uint32_t>(words);
+    get(memory.results, all);
+    samples_ = results_.values<const Sample>(report[SAMPLES_WORD], words_of_bins * kWord);
+    return all.first(words_of_bins);
 }
 
 void RoundMemory::find_orders(std::vector<std::uint32_t>& orders) {

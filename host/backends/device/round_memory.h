@@ -70,11 +70,10 @@ struct RoundMemory {
     void list_samples(Listing listing);
     // The number of new boxes that were counted.
     std::uint32_t new_boxes() const { return report[TOTAL_WORD] - report[SAMPLES_WORD]; }
-    // Queues the download of the first words_of_bins words of results[] and of the samples after
-    // them. The wait fills in both.
-    void download_results(std::vector<std::uint32_t>& bins, std::size_t words_of_bins);
-    // Copies the samples from where download_results() has put them.
-    void take_samples(std::vector<Sample>& samples) const;
+    // Queues the download of the first words_of_bins words of results[], which it returns, and of
+    // the samples after them. The wait fills in both. They are valid until the next call.
+    std::span<const std::uint32_t> download_results(std::size_t words_of_bins);
+    std::span<const Sample> samples() const { return samples_; }
     // Lists the orders of the samples' draws. Waits.
     void find_orders(std::vector<std::uint32_t>& orders);
     // The number of draws that no sample of an earlier round covers.
@@ -162,8 +161,8 @@ private:
     std::vector<Draw> arranged_;
     std::span<const Draw> draws_;  // part by part
     bool has_more_passes_ = false;
-    std::vector<std::uint32_t>* results_ = nullptr;  // see download_results
-    std::size_t samples_at_ = 0;                     // where samples begin in *results_
+    HostMemory results_;
+    std::span<const Sample> samples_;  // in results_
 };
 
 }  // namespace lacuna::device

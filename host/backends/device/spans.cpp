@@ -43,7 +43,8 @@ public:
         for (std::size_t i = 0; i < slabs_.size(); ++i)
             launch_over_tiles<kernels::open_lines>(i, arguments_of(i), kTileWork);
         sum_tiles();
-        free_lengths_.assign(round_.plan.lines, round_.plan.height);
+        first_lengths_.assign(round_.plan.lines, round_.plan.height);
+        free_lengths_ = first_lengths_;
         round_.queue.wait();  // so that another backend may use the device before the first round
     }
 
@@ -115,7 +116,7 @@ public:
 
     void download() override {
         if (boxes_) return boxes_->download();
-        round_.download_results(free_lengths_, round_.plan.lines);
+        free_lengths_ = round_.download_results(round_.plan.lines);
     }
 
     void end_round() override {
@@ -123,7 +124,7 @@ public:
     }
 
     std::span<const std::uint32_t> free_lengths() const override {
-        return boxes_ ? boxes_->free_lengths() : std::span(free_lengths_).first(round_.plan.lines);
+        return boxes_ ? boxes_->free_lengths() : free_lengths_;
     }
     std::uint32_t width() const override {
         return boxes_ ? boxes_->width() : round_.plan.strip_width;
@@ -202,10 +203,11 @@ private:
             tile += packed.counts.size();
         }
         sum_tiles();
-        free_lengths_.assign(round_.plan.lines, 0);
+        first_lengths_.assign(round_.plan.lines, 0);
         for (std::uint32_t line = 0; line < round_.plan.lines; ++line)
             for (const Span span : snapshot.spans[line])
-                free_lengths_[line] += span.end - span.begin;
+                first_lengths_[line] += span.end - span.begin;
+        free_lengths_ = first_lengths_;
     }
 
     void make_slabs(std::uint32_t capacity) {
@@ -294,8 +296,9 @@ private:
     Grid grid_;
     std::optional<Boxes> boxes_;  // from the first refinement on, in place of spans
     std::vector<Slab> slabs_;
-    std::vector<Buffer> spans_;                // of each slab; freed at the first refinement
-    std::vector<std::uint32_t> free_lengths_;  // of the lines
+    std::vector<Buffer> spans_;                    // of each slab; freed at the first refinement
+    std::span<const std::uint32_t> free_lengths_;  // of the lines
+    std::vector<std::uint32_t> first_lengths_;     // of lines that no kernel has cut
 };
 
 }  // namespace

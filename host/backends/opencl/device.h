@@ -42,6 +42,7 @@ public:
     const cl::Device& device() const { return device_; }
     const cl::Context& context() const { return context_; }
     Turns& turns() { return turns_; }
+    const std::shared_ptr<device::HostMemoryPool>& host_memory() const { return host_memory_; }
 
     // Compiles the source at its first use. Throws DeviceError with the build log.
     cl::Program compiled(std::string_view source);
@@ -58,6 +59,8 @@ private:
     cl::Device device_;
     cl::Context context_;
     Turns turns_;
+    std::shared_ptr<device::HostMemoryPool> host_memory_ =
+        std::make_shared<device::HostMemoryPool>();
     std::mutex mutex_;
     std::map<std::string, cl::Program, std::less<>> programs_;
 };

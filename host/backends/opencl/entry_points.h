@@ -12,7 +12,8 @@
 #define LACUNA_OPENCL_ENTRIES(ENTRY) \
     ENTRY(clBuildProgram) ENTRY(clCreateBuffer) ENTRY(clCreateCommandQueueWithProperties) \
     ENTRY(clCreateContext) ENTRY(clCreateKernel) ENTRY(clCreateProgramWithSource) \
-    ENTRY(clEnqueueFillBuffer) ENTRY(clEnqueueNDRangeKernel) ENTRY(clEnqueueReadBuffer) ENTRY(clEnqueueWriteBuffer) \
+    ENTRY(clEnqueueFillBuffer) ENTRY(clEnqueueMapBuffer) ENTRY(clEnqueueNDRangeKernel) ENTRY(clEnqueueReadBuffer) \
+    ENTRY(clEnqueueUnmapMemObject) ENTRY(clEnqueueWriteBuffer) \
     ENTRY(clFinish) ENTRY(clFlush) ENTRY(clGetDeviceIDs) ENTRY(clGetDeviceInfo) \
     ENTRY(clGetEventProfilingInfo) \
     ENTRY(clGetPlatformIDs) ENTRY(clGetPlatformInfo) ENTRY(clGetProgramBuildInfo) \
@@ -60,8 +61,10 @@ std::string why_no_loader();
 #define clCreateKernel lacuna_clCreateKernel
 #define clCreateProgramWithSource lacuna_clCreateProgramWithSource
 #define clEnqueueFillBuffer lacuna_clEnqueueFillBuffer
+#define clEnqueueMapBuffer lacuna_clEnqueueMapBuffer
 #define clEnqueueNDRangeKernel lacuna_clEnqueueNDRangeKernel
 #define clEnqueueReadBuffer lacuna_clEnqueueReadBuffer
+#define clEnqueueUnmapMemObject lacuna_clEnqueueUnmapMemObject
 #define clEnqueueWriteBuffer lacuna_clEnqueueWriteBuffer
 #define clFinish lacuna_clFinish
 #define clFlush lacuna_clFlush

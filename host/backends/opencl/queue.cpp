@@ -12,6 +12,7 @@ namespace lacuna::opencl {
 namespace {
 
 using device::Buffer;
+using device::HostMemory;
 using device::KernelShape;
 
 constexpr std::uint32_t kProcessorChunks = 32;  // for each core: many, for an even load
@@ -47,6 +48,13 @@ public:
             return Buffer(std::make_shared<cl::Buffer>(device_->context(), CL_MEM_READ_WRITE, size),
                           bytes);
         });
+    }
+
+    // Memory that the driver has pinned: a card's copies of other memory go through some of its
+    // own.
+    HostMemory host_memory(std::uint64_t bytes) override {
+        return device::HostMemoryPool::take(device_->host_memory(), bytes,
+                                            [&] { return pinned_memory(bytes); });
     }
 
     void fill(const Buffer& buffer, std::uint32_t value, std::uint64_t words) override {
@@ -152,6 +160,24 @@ private:
         return kNanosecond *
                static_cast<double>(launch.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
                                    launch.getProfilingInfo<CL_PROFILING_COMMAND_START>());
+    }
+
+    HostMemory pinned_memory(std::uint64_t bytes) {
+        return guard([&] {
+            const auto size = static_cast<std::size_t>(std::max<std::uint64_t>(bytes, 4));
+            const cl::Buffer pinned(device_->context(), CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR,
+                                    size);
+            auto* const memory = static_cast<std::byte*>(
+                queue_.enqueueMapBuffer(pinned, CL_TRUE, CL_MAP_READ | CL_MAP_WRITE, 0, size));
+            const auto unmap = [queue = queue_, pinned](void* mapped) {
+                try {
+                    queue.enqueueUnmapMemObject(pinned, mapped);
+                    queue.finish();
+                } catch (const cl::Error&) {  // the memory is not used again
+                }
+            };
+            return HostMemory(std::shared_ptr<void>(memory, unmap), {memory, size});
+        });
     }
 
     // Prefers a source that was used before: a kernel of all modes is in several sources.

@@ -134,6 +134,7 @@ Outcome sample(const Plan& plan, Observer& observer) {
                     space->bin_width());
     }
     if (outcome.samples.size() > plan.limit) outcome.samples.resize(plan.limit);
+    outcome.count = outcome.samples.size();
     return outcome;
 }
 

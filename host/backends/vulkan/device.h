@@ -40,6 +40,7 @@ public:
     std::uint32_t family() const { return family_; }
     const vk::PhysicalDeviceMemoryProperties& memory() const { return memory_; }
     std::uint64_t most_groups() const { return most_groups_; }
+    const std::shared_ptr<device::HostMemoryPool>& host_memory() const { return host_memory_; }
     // The unit of times that its queue writes; 0 if it writes none. They count up to a mask, and
     // begin again.
     double tick_seconds() const { return tick_seconds_; }
@@ -76,6 +77,8 @@ private:
     std::uint64_t tick_mask_;
     vk::raii::Device device_;
     vk::raii::Queue queue_;
+    std::shared_ptr<device::HostMemoryPool> host_memory_ =
+        std::make_shared<device::HostMemoryPool>();
 
     std::mutex pipelines_mutex_;
     std::map<std::string_view, Pipeline> pipelines_;

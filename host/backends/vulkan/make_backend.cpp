@@ -22,7 +22,7 @@ std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placeme
 
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement,
                                       const device::Tuning& tuning, const Trial& trial) {
-    return device::make_backend(open_queue(placement, trial), plan, tuning);
+    return device::make_backend(open_queue(placement, trial), plan, placement.threads, tuning);
 }
 
 std::unique_ptr<device::Queue> open_queue(const Placement& placement, const Trial& trial) {

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -15,6 +16,7 @@ namespace lacuna::vulkan {
 namespace {
 
 using device::Buffer;
+using device::HostMemory;
 using device::KernelShape;
 
 constexpr std::uint32_t kServedTogether = 32;  // units of work on a processor, see run_of
@@ -66,6 +68,18 @@ public:
         return Buffer(allocate(bytes, PropertyBit::eDeviceLocal, {}), bytes);
     }
 
+    // Memory that the device can copy from and to, so that nothing is copied to staging memory.
+    HostMemory host_memory(std::uint64_t bytes) override {
+        if (bytes == 0 || bytes > device().largest_buffer_bytes)
+            return device::Queue::host_memory(bytes);
+        std::erase_if(host_blocks_, [](const HostMemory& block) { return !block.has_copies(); });
+        return host_blocks_.emplace_back(
+            device::HostMemoryPool::take(device_->host_memory(), bytes, [&] {
+                const auto allocation = allocate(bytes, kHost, PropertyBit::eHostCached);
+                return HostMemory(allocation, mapped(*allocation, bytes));
+            }));
+    }
+
     void fill(const Buffer& buffer, std::uint32_t value, std::uint64_t words) override {
         if (words == 0) return;
         device_->guarded(
@@ -91,23 +105,27 @@ public:
 protected:
     void enqueue_upload(const Buffer& to, std::span<const std::byte> from,
                         std::uint64_t offset) override {
-        const Staged staged = up_.take(*this, from.size());
-        std::memcpy(staged.bytes, from.data(), from.size());
+        std::optional<Staged> staged = staged_already(from);
+        if (!staged) {
+            staged = up_.take(*this, from.size());
+            std::memcpy(staged->bytes, from.data(), from.size());
+        }
         device_->guarded([&] {
-            recording().copyBuffer(staged.buffer, of(to),
-                                   vk::BufferCopy(staged.offset, offset, from.size()));
+            recording().copyBuffer(staged->buffer, of(to),
+                                   vk::BufferCopy(staged->offset, offset, from.size()));
         });
         in_use_.push_back(to);
     }
 
     void enqueue_download(const Buffer& from, std::span<std::byte> to) override {
-        const Staged staged = down_.take(*this, to.size());
+        const std::optional<Staged> known = staged_already(to);
+        const Staged staged = known ? *known : down_.take(*this, to.size());
         device_->guarded([&] {
             recording().copyBuffer(of(from), staged.buffer,
                                    vk::BufferCopy(0, staged.offset, to.size()));
         });
         in_use_.push_back(from);
-        arriving_.push_back({staged.bytes, to});
+        if (!known) arriving_.push_back({staged.bytes, to});
     }
 
     std::uint32_t group_size() const override { return kGroupSize; }
@@ -157,8 +175,8 @@ private:
             if (blocks_.empty() || blocks_.back().used + bytes > blocks_.back().bytes) {
                 const std::uint64_t size = std::max(bytes, kStagingBytes);
                 auto allocation = queue.allocate(size, kHost, preferred_);
-                void* const mapped = allocation->memory.mapMemory(0, VK_WHOLE_SIZE);
-                blocks_.push_back({std::move(allocation), static_cast<std::byte*>(mapped), size});
+                std::byte* const bytes_of_block = mapped(*allocation, size).data();
+                blocks_.push_back({std::move(allocation), bytes_of_block, size});
             }
             Block& block = blocks_.back();
             const Staged staged{*block.allocation->buffer, block.used, block.mapped + block.used};
@@ -182,6 +200,23 @@ private:
         Properties preferred_;
         std::deque<Block> blocks_;
     };
+
+    static std::span<std::byte> mapped(const Allocation& allocation, std::uint64_t bytes) {
+        return {static_cast<std::byte*>(allocation.memory.mapMemory(0, VK_WHOLE_SIZE)),
+                static_cast<std::size_t>(bytes)};
+    }
+
+    // Where the bytes lie in a block of host_memory(), if they do.
+    std::optional<Staged> staged_already(std::span<const std::byte> bytes) const {
+        for (const HostMemory& block : host_blocks_) {
+            if (!block.contains(bytes)) continue;
+            std::byte* const first = block.values<std::byte>(1).data();
+            const auto offset = static_cast<std::uint64_t>(bytes.data() - first);
+            const auto& allocation = *static_cast<const Allocation*>(block.handle());
+            return Staged{*allocation.buffer, offset, first + offset};
+        }
+        return std::nullopt;
+    }
 
     struct Arriving {
         const std::byte* from;
@@ -321,6 +356,7 @@ private:
     Staging up_{Properties{}};
     Staging down_{PropertyBit::eHostCached};
     std::vector<Arriving> arriving_;
+    std::vector<HostMemory> host_blocks_;
 
     std::optional<vk::raii::QueryPool> times_;  // with time_kernels()
     std::vector<std::size_t> timed_;            // the kernel of each time that is written
