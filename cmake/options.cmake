@@ -4,8 +4,9 @@ add_library(lacuna_options INTERFACE)
 # Nothing replaces the library's own functions, so those of one file may be inlined in a shared library.
 target_compile_options(lacuna_options INTERFACE -ffp-contract=off -fno-math-errno
     -fno-semantic-interposition
-    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
-    -Wold-style-cast -Woverloaded-virtual -Wimplicit-fallthrough
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wimplicit-fallthrough
+    $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor> $<$<COMPILE_LANGUAGE:CXX>:-Wold-style-cast>
+    $<$<COMPILE_LANGUAGE:CXX>:-Woverloaded-virtual>
     $<$<BOOL:${LACUNA_WERROR}>:-Werror>)
 if(LACUNA_SANITIZE)
     target_compile_options(lacuna_options INTERFACE

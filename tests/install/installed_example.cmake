@@ -40,6 +40,8 @@ if(SHARED_SOURCE)
     file(GLOB_RECURSE shared ${prefix}/liblacuna.so)
     run("looking at what the shared library exports" ${Python3_EXECUTABLE}
         ${CMAKE_CURRENT_LIST_DIR}/exported.py ${shared} ${prefix}/include/lacuna)
+    run("calling it from another language" ${Python3_EXECUTABLE}
+        ${CMAKE_CURRENT_LIST_DIR}/by_ctypes.py ${shared} ${EXAMPLE}/../raccoon.png)
 endif()
 
 file(STRINGS ${SCRATCH}/example/CMakeCache.txt found REGEX "^lacuna_DIR:")

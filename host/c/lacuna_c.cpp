@@ -1,0 +1,291 @@
+// The functions of lacuna.h: options are read by the table, as the command reads them.
+#include <lacuna.h>
+#include <lacuna/lacuna.h>
+#include <lacuna/stipple.h>
+#include <lacuna/verify.h>
+#include <lacuna/version.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <new>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/number_text.h"
+#include "plan/checked_request.h"
+#include "recipes/make.h"
+#include "recipes/read_text.h"
+#include "recipes/settle.h"
+#include "recipes/targets.h"
+
+struct lacuna_set {
+    std::vector<lacuna::Point> points{};
+    std::vector<double> diameters{};
+    std::vector<unsigned char> layers{};
+    lacuna_facts facts{};
+};
+
+namespace lacuna {
+namespace {
+
+thread_local std::string error_of_thread;
+thread_local std::function<bool(double)> watch_of_thread;
+
+class Watched : public Observer {
+public:
+    bool keep_going(const Progress& progress) override {
+        const auto all = static_cast<double>(std::max<std::uint64_t>(1, progress.expected_points));
+        return !watch_ || watch_(std::min(1.0, static_cast<double>(progress.points) / all));
+    }
+
+private:
+    const std::function<bool(double)>& watch_ = watch_of_thread;
+};
+
+// Runs a function of the interface. What it throws becomes the thread's error, and `failed` is
+// returned.
+template <typename Call, typename Returned>
+Returned guarded(Returned failed, Call call) noexcept {
+    try {
+        error_of_thread.clear();
+        return call();
+    } catch (const std::exception& error) {
+        try {
+            error_of_thread = error.what();
+        } catch (const std::bad_alloc&) {
+            error_of_thread.clear();  // the text itself has no room
+        }
+    }
+    return failed;
+}
+
+std::vector<Point> points_of(const char* name, const double* xy, std::size_t count) {
+    if (xy == nullptr && count != 0)
+        throw BadRequest(name, "NULL", "must be " + std::to_string(count) + " points");
+    std::vector<Point> points;
+    points.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) points.push_back({xy[2 * i], xy[2 * i + 1]});
+    return points;
+}
+
+// The options whose files' contents a call is given; `field` is the name of that for importance.
+std::vector<std::string_view> names_of(const lacuna_given* given, std::string_view field) {
+    std::vector<std::string_view> names;
+    if (given != nullptr && given->importance != nullptr) names.push_back(field);
+    if (given != nullptr && given->kept_count != 0) names.emplace_back("keep");
+    return names;
+}
+
+// What a call is given, as long as the call lasts.
+class Given {
+public:
+    // The domain of the request follows from the field, unless the options have one.
+    Given(const lacuna_given* given, Request& request, const recipes::CommandLine& line) {
+        if (given == nullptr) return;
+        kept_ = points_of("keep", given->kept, given->kept_count);
+        request.keep = kept_;
+        if (given->importance == nullptr) return;
+        if (given->columns == 0 || given->rows == 0 || given->columns > kMostSide ||
+            given->rows > kMostSide)
+            throw BadRequest("field",
+                             std::to_string(given->columns) + "x" + std::to_string(given->rows),
+                             "must have 1 to 1048576 columns and rows");
+        const double* const first = given->importance;
+        field_.emplace(Field{static_cast<std::uint32_t>(given->columns),
+                             static_cast<std::uint32_t>(given->rows),
+                             {first, first + given->columns * given->rows}});
+        request.field = &*field_;
+        if (!line.has("domain"))
+            request.domain = domain_like(field_->columns, field_->rows, request.domain.boundary);
+    }
+
+private:
+    static constexpr std::size_t kMostSide = std::size_t{1} << 20;
+
+    std::vector<Point> kept_;
+    std::optional<Field> field_;
+};
+
+lacuna_set* set_of(const Request& request, Result result) {
+    auto set = std::make_unique<lacuna_set>();
+    set->points = std::move(result.points);
+    set->facts = {request.domain.width, request.domain.height, result.radius,
+                  result.maximal ? 1 : 0};
+    return set.release();
+}
+
+lacuna_set* sampled(const char* options, const lacuna_given* given) {
+    Request request;
+    recipes::Given choices;
+    recipes::Moves moves;
+    recipes::Targets targets = recipes::targets_of(request);
+    targets.merge(recipes::targets_of(moves));
+    targets["mode"] = &choices.mode;
+    targets["metric"] = &choices.metric;
+    targets["relax"] = &choices.relax;
+    const recipes::CommandLine line =
+        recipes::read_text(recipes::kSample, options, targets, names_of(given, "field"));
+    const Given held(given, request, line);
+    choices.gaussian = moves.gaussian;
+    moves.iterations = recipes::relax_of(choices);
+    recipes::settle(choices, request);
+    Watched observer;
+    return set_of(request, recipes::make(request, moves, observer).result);
+}
+
+lacuna_set* stippled(const char* options, const void* picture, std::size_t bytes) {
+    StippleOptions asked;
+    recipes::read_text(recipes::kStipple, options, recipes::targets_of(asked));
+    if (picture == nullptr) throw BadRequest("picture", "NULL", "must be the content of a file");
+    Picture given{std::string(static_cast<const char*>(picture), bytes), "the picture"};
+    Watched observer;
+    Stippling made = stipple(given, asked, observer);
+    std::unique_ptr<lacuna_set> set(set_of(made.request, std::move(made.result)));
+    set->diameters = std::move(made.diameters);
+    if (set->diameters.empty() && made.line_width != 0)
+        set->diameters.assign(set->points.size(), made.line_width);
+    for (std::size_t k = 0; k < made.layers.size() && made.layers.size() > 1; ++k)
+        set->layers.insert(set->layers.end(), made.layers[k].dots, static_cast<unsigned char>(k));
+    return set.release();
+}
+
+lacuna_set* relaxed(const char* options, const lacuna_given* given, const double* points,
+                    std::size_t count) {
+    if (given != nullptr && given->kept_count != 0)
+        throw BadRequest("keep", std::to_string(given->kept_count) + " points",
+                         "are not for relax, which moves all points");
+    Request request;
+    recipes::Moves moves{.iterations = RelaxOptions().iterations};
+    recipes::Targets targets = recipes::targets_of(request);
+    targets.merge(recipes::targets_of(moves));
+    targets["iterations"] = &moves.iterations;
+    const recipes::CommandLine line =
+        recipes::read_text(recipes::kRelax, options, targets, names_of(given, "IMAGE"));
+    const Given held(given, request, line);
+    Watched observer;
+    const std::vector<Point> all = points_of("points", points, count);
+    Result result;
+    result.points =
+        relax(all, request.field, recipes::relax_options_of(request, moves), observer).points;
+    recipes::note_moves(request, result);
+    return set_of(request, std::move(result));
+}
+
+std::string distance_in(const Proof& proof) {
+    return "points " + std::to_string(proof.first) + " and " + std::to_string(proof.second) +
+           ", numbered from 0, are " + shortest(proof.least_distance) + " apart, less than " +
+           shortest(proof.least_limit);
+}
+
+// What the set lacks; empty if it is as claimed.
+std::string lack_of(const Proof& proof, bool distances_only) {
+    const auto point = [](std::size_t number) { return "point " + std::to_string(number); };
+    if (proof.outside)
+        return point(*proof.outside) + ", numbered from 0, lies outside of the domain";
+    if (proof.moved) return point(*proof.moved) + ", numbered from 0, is not the one that was kept";
+    if (proof.forbidden)
+        return point(*proof.forbidden) + ", numbered from 0, lies where no point may";
+    if (!proof.kept) return distance_in(proof);
+    if (distances_only || proof.covered) return "";
+    return "there is room for a point at (" + shortest(proof.largest_gap.x) + ", " +
+           shortest(proof.largest_gap.y) + "), " + shortest(proof.largest_gap_distance) +
+           " from the nearest one";
+}
+
+int verified(const char* options, const lacuna_given* given, const double* points,
+             std::size_t count) {
+    Request request;
+    Claim claim;
+    recipes::Targets targets = recipes::targets_of(request);
+    targets["tolerance"] = &claim.tolerance;
+    targets["distances-only"] = &claim.distances_only;
+    const recipes::CommandLine line =
+        recipes::read_text(recipes::kVerify, options, targets, names_of(given, "field"));
+    const Given held(given, request, line);
+    if (!(request.field != nullptr ? request.scale : request.radius))
+        throw BadRequest(request.field != nullptr ? "scale" : "radius", "missing",
+                         "give the distance that points should keep");
+    claim.radius = request.radius.value_or(0);
+    claim.scale = request.scale.value_or(0);
+    claim.domain = request.domain;
+    claim.field = request.field;
+    claim.border = request.border;
+    claim.keep = request.keep;
+    Watched observer;
+    const std::uint64_t all = count;
+    const Proof proof = prove(points_of("points", points, count), claim, [&] {
+        return observer.keep_going({0, std::max<std::uint64_t>(1, all), 0});
+    });
+    error_of_thread = lack_of(proof, claim.distances_only);
+    return error_of_thread.empty() ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace lacuna
+
+const char* lacuna_version(void) {
+    return LACUNA_VERSION;
+}
+
+const char* lacuna_error(void) {
+    return lacuna::error_of_thread.c_str();
+}
+
+void lacuna_watch(int (*go_on)(double done, void* user), void* user) {
+    lacuna::watch_of_thread = nullptr;
+    if (go_on != nullptr)
+        lacuna::watch_of_thread = [=](double done) { return go_on(done, user) != 0; };
+}
+
+lacuna_set* lacuna_sample(const char* options, const lacuna_given* given) {
+    return lacuna::guarded(static_cast<lacuna_set*>(nullptr),
+                           [&] { return lacuna::sampled(options, given); });
+}
+
+lacuna_set* lacuna_stipple(const char* options, const void* picture, size_t bytes) {
+    return lacuna::guarded(static_cast<lacuna_set*>(nullptr),
+                           [&] { return lacuna::stippled(options, picture, bytes); });
+}
+
+lacuna_set* lacuna_relax(const char* options, const lacuna_given* given, const double* points,
+                         size_t count) {
+    return lacuna::guarded(static_cast<lacuna_set*>(nullptr),
+                           [&] { return lacuna::relaxed(options, given, points, count); });
+}
+
+int lacuna_verify(const char* options, const lacuna_given* given, const double* points,
+                  size_t count) {
+    return lacuna::guarded(-1, [&] { return lacuna::verified(options, given, points, count); });
+}
+
+size_t lacuna_count(const lacuna_set* set) {
+    return set == nullptr ? 0 : set->points.size();
+}
+
+const double* lacuna_points(const lacuna_set* set) {
+    static_assert(sizeof(lacuna::Point) == 2 * sizeof(double));
+    return lacuna_count(set) == 0 ? nullptr : &set->points.front().x;
+}
+
+const double* lacuna_diameters(const lacuna_set* set) {
+    return set == nullptr || set->diameters.empty() ? nullptr : set->diameters.data();
+}
+
+const unsigned char* lacuna_layers(const lacuna_set* set) {
+    return set == nullptr || set->layers.empty() ? nullptr : set->layers.data();
+}
+
+lacuna_facts lacuna_describe(const lacuna_set* set) {
+    return set == nullptr ? lacuna_facts{} : set->facts;
+}
+
+void lacuna_free(lacuna_set* set) {
+    delete set;
+}

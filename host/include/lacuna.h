@@ -1,0 +1,117 @@
+/* Lacuna for C, and for all languages that call C: point sets by the options of the command.
+ *
+ *     #include <lacuna.h>
+ *
+ *     lacuna_set* set = lacuna_sample("--radius 0.01 --torus --seed 7", NULL);
+ *     if (set == NULL) fprintf(stderr, "%s\n", lacuna_error());
+ *     const double* xy = lacuna_points(set);
+ *     for (size_t i = 0; i < lacuna_count(set); ++i) printf("%g %g\n", xy[2 * i], xy[2 * i + 1]);
+ *     lacuna_free(set);
+ *
+ * Link the shared library lacuna, built with LACUNA_EXTRAS; or lacuna::extras and C++'s runtime.
+ *
+ * Options are one text, as on the command line of `lacuna sample` and the others, which give the
+ * same points. Those that name files are refused: a call is given what they would hold. An option
+ * that is not known, and a value that is not allowed, are refused too, and nothing is made.
+ *
+ * Calls may be made on several threads at once. A set may be read by several threads, until it is
+ * freed. */
+#ifndef LACUNA_H
+#define LACUNA_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__)
+#define LACUNA_C_API __attribute__((visibility("default")))
+#else
+#define LACUNA_C_API
+#endif
+
+/* Points that a call has made. */
+typedef struct lacuna_set lacuna_set;
+
+/* What a call is given beside its options: NULL and 0 for what there is not. It is read during the
+ * call alone. */
+typedef struct lacuna_given {
+    /* Where points are wanted, as of --field: rows * columns finite numbers of at least 0, 1 where
+     * most are, row by row from the top. The domain has the field's shape, and a longer side of 1,
+     * unless there is a --domain. */
+    const double* importance;
+    size_t columns;
+    size_t rows;
+    /* Points that are there already, as of --keep: x and y, alternately. */
+    const double* kept;
+    size_t kept_count;
+} lacuna_given;
+
+/* The version, such as "0.1.0". */
+LACUNA_C_API const char* lacuna_version(void);
+
+/* One line that says why the last call of this thread failed or, after lacuna_verify() returned 0,
+ * what the set lacks. "" after a call that did what was asked. Valid until the thread's next call
+ * that makes or verifies a set. */
+LACUNA_C_API const char* lacuna_error(void);
+
+/* From now on each call of this thread that makes or verifies a set calls `go_on` now and then,
+ * with the share of the work that is done, from 0 to 1, and with `user`. The call ends as failed if
+ * it returns 0. NULL: nothing is called. */
+LACUNA_C_API void lacuna_watch(int (*go_on)(double done, void* user), void* user);
+
+/* The points of `lacuna sample OPTIONS`. NULL if it failed, as of the next two. */
+LACUNA_C_API lacuna_set* lacuna_sample(const char* options, const lacuna_given* given);
+
+/* The dots of a picture, as of `lacuna stipple PICTURE OPTIONS`. The picture is the content of a
+ * file: .png .jpg .tif .webp and others. Its longer side is 1, and y goes upwards. */
+LACUNA_C_API lacuna_set* lacuna_stipple(const char* options, const void* picture, size_t bytes);
+
+/* The points, moved until they are even, as by `lacuna relax`; in the order given. `points` has
+ * `count` times x and y. Where points are wanted is given, and no points to keep. */
+LACUNA_C_API lacuna_set* lacuna_relax(const char* options, const lacuna_given* given,
+                                      const double* points, size_t count);
+
+/* Proves from the coordinates alone that points keep their distance and leave no room for another
+ * one, as `lacuna verify` does: "--radius R", or with importance "--scale R", and --domain,
+ * --torus, --border, --tolerance and --distances-only. Returns 1 if that is so, 0 if not, and -1
+ * if it failed. Kept points are the first of the set. */
+LACUNA_C_API int lacuna_verify(const char* options, const lacuna_given* given, const double* points,
+                               size_t count);
+
+/* The number of points. 0 for NULL, as all that follows is NULL for NULL. */
+LACUNA_C_API size_t lacuna_count(const lacuna_set* set);
+
+/* x and y of each point, alternately, in the order in which files have them. These arrays are the
+ * set's: valid until it is freed. */
+LACUNA_C_API const double* lacuna_points(const lacuna_set* set);
+
+/* The diameter of each dot in the domain's unit; NULL for a set that is not of lacuna_stipple(). */
+LACUNA_C_API const double* lacuna_diameters(const lacuna_set* set);
+
+/* The layer of each dot: the number of its ink, from 0 in the order of --inks, or of its pen; NULL
+ * for one layer. Dots come layer by layer. */
+LACUNA_C_API const unsigned char* lacuna_layers(const lacuna_set* set);
+
+typedef struct lacuna_facts {
+    /* Of the domain. */
+    double width;
+    double height;
+    /* The least distance that was kept or, of points that were moved, is found; 0: unknown. */
+    double radius;
+    /* 1 if no room is left for another point. */
+    int maximal;
+} lacuna_facts;
+
+/* What is known of a set; all 0 for NULL. */
+LACUNA_C_API lacuna_facts lacuna_describe(const lacuna_set* set);
+
+/* Frees the set and its arrays. Does nothing for NULL. */
+LACUNA_C_API void lacuna_free(lacuna_set* set);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,159 @@
+/* The interface for C, as a program in C uses it: makes, moves and proves sets, and reads errors.
+ *
+ *     c_test PICTURE */
+#include <lacuna.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int failures = 0;
+
+#define EXPECT(condition)                                                          \
+    do {                                                                           \
+        if (!(condition)) {                                                        \
+            printf("%s:%d: not so: %s (\"%s\")\n", __FILE__, __LINE__, #condition, \
+                   lacuna_error());                                                \
+            ++failures;                                                            \
+        }                                                                          \
+    } while (0)
+
+static void expect_error(const lacuna_set* set, const char* part) {
+    EXPECT(set == NULL);
+    if (strstr(lacuna_error(), part) == NULL) {
+        printf("expected \"%s\" in \"%s\"\n", part, lacuna_error());
+        ++failures;
+    }
+}
+
+static void sets_are_made_and_proven(void) {
+    lacuna_set* set = lacuna_sample(" --radius 0.05\t--torus --seed=7 ", NULL);
+    EXPECT(set != NULL && strcmp(lacuna_error(), "") == 0);
+    EXPECT(lacuna_count(set) > 250 && lacuna_count(set) < 310);
+    const lacuna_facts facts = lacuna_describe(set);
+    EXPECT(facts.width == 1 && facts.height == 1 && facts.radius == 0.05 && facts.maximal == 1);
+    EXPECT(lacuna_diameters(set) == NULL && lacuna_layers(set) == NULL);
+    EXPECT(lacuna_verify("--radius 0.05 --torus", NULL, lacuna_points(set), lacuna_count(set)) ==
+           1);
+    EXPECT(lacuna_verify("--radius 0.06 --torus", NULL, lacuna_points(set), lacuna_count(set)) ==
+           0);
+    EXPECT(strstr(lacuna_error(), "apart, less than 0.06") != NULL);
+    EXPECT(lacuna_verify("--radius 0.03 --torus", NULL, lacuna_points(set), lacuna_count(set)) ==
+           0);
+    EXPECT(strstr(lacuna_error(), "there is room for a point at (") != NULL);
+    EXPECT(lacuna_verify("--radius 0.03 --torus --distances-only", NULL, lacuna_points(set),
+                         lacuna_count(set)) == 1);
+    EXPECT(lacuna_verify("--torus", NULL, lacuna_points(set), lacuna_count(set)) == -1);
+    EXPECT(strstr(lacuna_error(), "radius") != NULL);
+
+    /* Every other point is kept, and new ones fill the space around them. */
+    lacuna_given given;
+    memset(&given, 0, sizeof(given));
+    double kept[6];
+    memcpy(kept, lacuna_points(set), sizeof(kept));
+    given.kept = kept;
+    given.kept_count = 3;
+    lacuna_set* more = lacuna_sample("--radius 0.05 --torus --seed 8", &given);
+    EXPECT(more != NULL && memcmp(lacuna_points(more), kept, sizeof(kept)) == 0);
+    EXPECT(lacuna_verify("--radius 0.05 --torus", &given, lacuna_points(more),
+                         lacuna_count(more)) == 1);
+    EXPECT(lacuna_verify("--radius 0.05 --torus", &given, lacuna_points(more) + 2,
+                         lacuna_count(more) - 1) == 0);
+    lacuna_free(more);
+    lacuna_free(set);
+}
+
+static void fields_say_where_points_are_wanted(void) {
+    double importance[8] = {0, 0, 1, 1, 0, 0, 1, 1};
+    lacuna_given given;
+    memset(&given, 0, sizeof(given));
+    given.importance = importance;
+    given.columns = 4;
+    given.rows = 2;
+    lacuna_set* set = lacuna_sample("--scale 0.02", &given);
+    EXPECT(set != NULL && lacuna_describe(set).width == 1 && lacuna_describe(set).height == 0.5);
+    size_t i;
+    for (i = 0; i < lacuna_count(set); ++i) EXPECT(lacuna_points(set)[2 * i] >= 0.5);
+    EXPECT(lacuna_verify("--scale 0.02", &given, lacuna_points(set), lacuna_count(set)) == 1);
+
+    lacuna_set* moved =
+        lacuna_relax("--iterations 5", &given, lacuna_points(set), lacuna_count(set));
+    EXPECT(lacuna_count(moved) == lacuna_count(set) && lacuna_describe(moved).maximal == 0);
+    EXPECT(memcmp(lacuna_points(moved), lacuna_points(set), 16 * lacuna_count(set)) != 0);
+    lacuna_free(moved);
+    lacuna_free(set);
+    given.rows = 0;
+    expect_error(lacuna_sample("--scale 0.02", &given), "4x0");
+}
+
+static void pictures_become_dots(const char* path) {
+    static char content[1 << 22];
+    FILE* file = fopen(path, "rb");
+    const size_t bytes = file == NULL ? 0 : fread(content, 1, sizeof(content), file);
+    if (file != NULL) fclose(file);
+    EXPECT(bytes > 1000);
+    lacuna_set* dots = lacuna_stipple("--count 500 --inks cmyk --relax 3", content, bytes);
+    EXPECT(lacuna_count(dots) == 500 && lacuna_diameters(dots) != NULL);
+    EXPECT(lacuna_layers(dots) != NULL && lacuna_layers(dots)[0] == 0 &&
+           lacuna_layers(dots)[499] == 3);
+    lacuna_free(dots);
+    dots = lacuna_stipple("--count 500", content, bytes);
+    EXPECT(lacuna_count(dots) == 500 && lacuna_layers(dots) == NULL);
+    lacuna_free(dots);
+    expect_error(lacuna_stipple("", "no picture", 10), "the picture");
+}
+
+static void what_is_not_understood_is_refused(void) {
+    expect_error(lacuna_sample("--radios 0.1", NULL),
+                 "options --radios: is no option of lacuna sample");
+    expect_error(lacuna_sample("0.1", NULL), "options 0.1: is no option");
+    expect_error(lacuna_sample("--radius", NULL), "radius");
+    expect_error(lacuna_sample("--radius 0.1 --radius 0.2", NULL), "is given twice");
+    expect_error(lacuna_sample("--radius 0,1", NULL), "0,1");
+    expect_error(lacuna_sample("--radius 0.1 --torus=yes", NULL), "torus");
+    expect_error(lacuna_sample("--radius 0.1 --inside lakes.svg", NULL), "reads and writes files");
+    expect_error(lacuna_sample("--radius 0.1 --backend gpu", NULL), "gpu");
+    expect_error(lacuna_sample(NULL, NULL), "radius");
+    expect_error(lacuna_relax("", NULL, NULL, 3), "points NULL: must be 3 points");
+    expect_error(lacuna_stipple("", NULL, 3), "picture NULL");
+    const double one[2] = {0.5, 0.5};
+    lacuna_given given;
+    memset(&given, 0, sizeof(given));
+    given.kept = one;
+    given.kept_count = 1;
+    expect_error(lacuna_relax("", &given, one, 1), "keep 1 points: are not for relax");
+    expect_error(lacuna_sample("--radius 0.1 --relax 3", &given), "keep");
+    EXPECT(lacuna_count(NULL) == 0 && lacuna_points(NULL) == NULL && lacuna_layers(NULL) == NULL);
+    EXPECT(lacuna_describe(NULL).width == 0 && lacuna_diameters(NULL) == NULL);
+    lacuna_free(NULL);
+}
+
+static int stop_halfway(double done, void* user) {
+    double* const most = user;
+    if (done > *most) *most = done;
+    return done < 0.5;
+}
+
+static void calls_can_be_watched_and_stopped(void) {
+    double most = -1;
+    lacuna_watch(stop_halfway, &most);
+    expect_error(lacuna_sample("--radius 0.002", NULL), "cancelled");
+    EXPECT(most >= 0.5 && most <= 1);
+    lacuna_watch(NULL, NULL);
+    lacuna_set* set = lacuna_sample("--radius 0.1", NULL);
+    EXPECT(set != NULL);
+    lacuna_free(set);
+}
+
+int main(int count, char** arguments) {
+    if (count != 2) return 2;
+    EXPECT(strcmp(lacuna_version(), "0.1.0") == 0);
+    sets_are_made_and_proven();
+    fields_say_where_points_are_wanted();
+    pictures_become_dots(arguments[1]);
+    what_is_not_understood_is_refused();
+    calls_can_be_watched_and_stopped();
+    if (failures == 0) printf("all is as lacuna.h says\n");
+    return failures == 0 ? 0 : 1;
+}
