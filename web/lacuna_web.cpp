@@ -68,8 +68,10 @@ pictures::Image image_of(const Pixels& pixels, const pictures::Weights& weights)
 // The importance of the picture, or of each of its inks.
 std::vector<Field> fields_of(const Pixels& pixels, const StippleOptions& options) {
     using pictures::kAll;
+    Tone tone = options.tone;
+    tone.light = true;
     if (options.inks.empty())
-        return {pictures::importance_of(image_of(pixels, pictures::kLuminance), options.tone)};
+        return {pictures::importance_of(image_of(pixels, pictures::kLuminance), tone)};
     pictures::Colours colours{image_of(pixels, {kAll, 0, 0}), image_of(pixels, {0, kAll, 0}),
                               image_of(pixels, {0, 0, kAll})};
     return pictures::separated(std::move(colours), options.inks, options.tone, kBlackInk,

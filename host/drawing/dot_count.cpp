@@ -33,19 +33,16 @@ std::uint64_t dot_count(const Field& field, const Domain& domain) {
                    kPixelsPerDot);
 }
 
-std::uint64_t default_count(const Field& field, const Domain& domain,
-                            const std::optional<Pens>& pens, const Style& style) {
-    return pens ? rounded(dots_for_ink(field, domain, *pens, style)) : dot_count(field, domain);
+std::uint64_t default_count(const Field& field, const Domain& domain, const Sizing& sizing,
+                            const Style& style) {
+    return sizing.pens ? rounded(dots_for_ink(field, domain, sizing, style))
+                       : dot_count(field, domain);
 }
 
-double dots_for_ink(const Field& field, const Domain& domain, const Pens& pens,
+double dots_for_ink(const Field& field, const Domain& domain, const Sizing& sizing,
                     const Style& style) {
     const double scale = millimetres_per_unit(files::PointSet{{}, domain}, style);
-    const Sizing sizing{.pens = pens};
-    if (sizing.varies())
-        return darkness_of(density_of(field, sizing)) * domain.width * scale * domain.height *
-               scale;
-    return darkness_of(field) * domain.width * scale * domain.height * scale / sizing.area_at(1);
+    return darkness_of(density_of(field, sizing)) * domain.width * scale * domain.height * scale;
 }
 
 }  // namespace lacuna::drawing

@@ -4,7 +4,6 @@
 #include <lacuna/lacuna.h>
 
 #include <cstdint>
-#include <optional>
 
 #include "drawing/dot_size.h"
 #include "drawing/picture.h"
@@ -19,12 +18,13 @@ double darkness_of(const Field& field);
 constexpr double kMostDots = 1e6;
 std::uint64_t dot_count(const Field& field, const Domain& domain);
 
-// The number of dots that pens draw at which their areas sum to the picture's darkness on the page.
-double dots_for_ink(const Field& field, const Domain& domain, const Pens& pens, const Style& style);
+// The number of dots that pens draw at which they cover as much of the page as the picture is dark.
+double dots_for_ink(const Field& field, const Domain& domain, const Sizing& sizing,
+                    const Style& style);
 
 // The number of dots if the user gives none: with pens dots_for_ink(), from 1 to kMostDots, and
 // without them dot_count().
-std::uint64_t default_count(const Field& field, const Domain& domain,
-                            const std::optional<Pens>& pens, const Style& style);
+std::uint64_t default_count(const Field& field, const Domain& domain, const Sizing& sizing,
+                            const Style& style);
 
 }  // namespace lacuna::drawing

@@ -25,11 +25,14 @@ struct Sizing {
     // Or a line is drawn through all dots: its length near a dot grows with the root of their
     // density, so dots lie as densely as importance squared.
     bool is_line = false;
+    // How dots lie, which decides how much they overlap.
+    Spread spread = Spread::even;
     // Or dots are strokes of a pen along the field's stretches, as long as the root of their ratio.
     bool are_strokes = false;
 
     bool varies() const;
-    // The area of a dot: relative, or in mm^2 with pens.
+    // The area of a dot: relative, or in mm^2 with pens. Of a pen's dot it is the part that no
+    // other dot covers, too: pens draw more dots where they overlap, as others are wider there.
     double area_at(double importance) const;
 };
 

@@ -29,7 +29,7 @@ std::vector<double> toned_diameters(const Tones& tones, const files::PointSet& s
         const Sizing sizing = tones.sizing_of(k);
         const std::vector<double> diameters =
             sizing.pens ? pen_diameters(part.points, field, set.domain, *sizing.pens, scale)
-                        : dot_diameters(part.points, field, set.domain, tones.spread, sizing);
+                        : dot_diameters(part.points, field, set.domain, sizing.spread, sizing);
         all.insert(all.end(), diameters.begin(), diameters.end());
     });
     return all;
@@ -54,9 +54,9 @@ void set_fields(Tones& tones, std::vector<Field> fields, std::span<const Ink> in
     tones.fields = std::move(fields);
     tones.sizing.solid_black = tones.keep_inside;
     for (const Ink& ink : inks) tones.layers.push_back({ink, 0});
-    const bool is_any_pen_its_own =
+    const bool has_pen =
         std::any_of(inks.begin(), inks.end(), [](const Ink& ink) { return ink.pen_mm != 0; });
-    if (tones.sizing.varies() || is_any_pen_its_own)
+    if (tones.sizing.varies() || has_pen)
         for (std::size_t k = 0; k < tones.fields.size(); ++k)
             tones.varied.push_back(density_of(tones.fields[k], tones.sizing_of(k)));
     if (inks.empty()) return;
@@ -102,15 +102,15 @@ double dots_for_ink(const Tones& tones, const Domain& domain, const Style& style
     if (!tones.has_pens()) return 0;
     double all = 0;
     for (std::size_t k = 0; k < tones.fields.size(); ++k)
-        all += dots_for_ink(tones.fields[k], domain, *tones.sizing_of(k).pens, style);
+        all += dots_for_ink(tones.fields[k], domain, tones.sizing_of(k), style);
     return all;
 }
 
 std::uint64_t suiting_count(const Tones& tones, const Domain& domain, const Style& style) {
-    if (!tones.has_pens()) return default_count(tones.all(), domain, std::nullopt, style);
+    if (!tones.has_pens()) return default_count(tones.all(), domain, tones.sizing, style);
     std::uint64_t all = 0;
     for (std::size_t k = 0; k < tones.fields.size(); ++k)
-        all += default_count(tones.fields[k], domain, tones.sizing_of(k).pens, style);
+        all += default_count(tones.fields[k], domain, tones.sizing_of(k), style);
     return all;
 }
 

@@ -20,7 +20,6 @@ namespace lacuna::drawing {
 struct Tones {
     Sizing sizing{};
     bool keep_inside = false;            // dots stay off white
-    Spread spread = Spread::even;        // of the dots
     std::vector<Field> fields{};         // the importance of the picture, or of each ink
     std::vector<Field> varied{};         // how densely their dots lie, if sizes vary
     Field sum{};                         // of the importance of all inks; empty without inks

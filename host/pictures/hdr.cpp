@@ -163,7 +163,9 @@ Image decode_hdr(const Encoded& file) {
             pixels.set(y, x, header.is_xyz ? std::span(colour).subspan(1, 1) : std::span(colour));
         }
     }
-    return std::move(pixels).finish();
+    Image image = std::move(pixels).finish();
+    image.is_linear = true;
+    return image;
 }
 
 }  // namespace lacuna::pictures

@@ -40,7 +40,8 @@ struct Image {
     std::uint32_t rows = 0;         // pixels, at least 1
     std::vector<double> luminance;  // rows * columns values from 0 to white; row 0 is the top row
     double white = 1;               // the luminance that counts as white
-    std::string name;               // the picture's name in messages
+    std::string name{};             // the picture's name in messages
+    bool is_linear = false;         // the numbers are light, and not encoded as sRGB
 };
 
 // The picture in the file, or on standard input for "-". The content decides the format, never the
@@ -58,7 +59,8 @@ struct Image {
 //           every size; row 0 on top
 // Luminance of colour is 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709). Alpha is composited over
 // `backdrop`. Both use the numbers as they are stored, and no colour profile or transfer curve is
-// undone: importance is a wish and no measure of light, and what looks half grey should count half.
+// undone here: see Tone::light.
+// PFM and HDR have linear light, and other pictures numbers that are encoded as sRGB.
 // Samples of 8 or 16 bits (in PGM and PPM: up to maxval) are divided by the largest possible
 // sample, correctly rounded, and white is 1. Numbers of .npy, PFM and HDR stay as they are; white
 // is the largest luminance in the picture, but at least 1.

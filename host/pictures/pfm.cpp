@@ -75,7 +75,9 @@ Image decode_pfm(const Encoded& file) {
             pixels.set(y, x, used);
         }
     }
-    return std::move(pixels).finish();
+    Image image = std::move(pixels).finish();
+    image.is_linear = true;
+    return image;
 }
 
 }  // namespace lacuna::pictures

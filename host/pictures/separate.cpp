@@ -20,24 +20,6 @@ namespace {
 
 using Light = std::array<double, 3>;  // red, green and blue, linear; white is 1
 
-// x^(1/5) for x in [0.0003, 1], by Newton's method: the same on every machine, unlike std::pow.
-double fifth_root(double x) {
-    double root = 0.5 + 0.5 * x;
-    for (int i = 0; i < 8; ++i) {
-        const double square = root * root;
-        root = 0.8 * root + 0.2 * x / (square * square);
-    }
-    return root;
-}
-
-// IEC 61966-2-1, sRGB: x^2.4 is x^2 times the square of x^(1/5).
-double linear(double encoded) {
-    if (encoded <= 0.04045) return encoded / 12.92;
-    const double x = (encoded + 0.055) / 1.055;
-    const double root = fifth_root(x);
-    return x * x * root * root;
-}
-
 // A table's value between two of its entries, which stand at 0, `step`, 2 step, ...
 template <std::size_t Size>
 double between_entries(const std::array<double, Size>& table, double step, double at) {
@@ -121,7 +103,8 @@ private:
 
     static Light light_of(const Colour& colour) {
         Light light{};
-        for (std::size_t c = 0; c < light.size(); ++c) light[c] = linear(colour[c] / 255.0);
+        for (std::size_t c = 0; c < light.size(); ++c)
+            light[c] = pictures::light_of(colour[c] / 255.0);
         return light;
     }
 
@@ -221,8 +204,9 @@ private:
 // Remembers the amounts of colours, because most colours of a picture come again.
 class Remembered {
 public:
-    Remembered(std::span<const Ink> inks, double black_ink, const Colour& paper)
+    Remembered(std::span<const Ink> inks, double black_ink, const Colour& paper, bool is_linear)
         : separator_(inks, black_ink, paper),
+          is_linear_(is_linear),
           inks_(inks.size()),
           colours_(kColours, {-1, -1, -1}),
           amounts_(kColours * inks.size()) {}
@@ -236,8 +220,10 @@ public:
         const std::span<double> known = std::span(amounts_).subspan(place * inks_, inks_);
         if (colours_[place] != darkness) {
             colours_[place] = darkness;
-            const std::span<const double> found = separator_.amounts(
-                {linear(1 - darkness[0]), linear(1 - darkness[1]), linear(1 - darkness[2])});
+            Light light{};
+            for (std::size_t c = 0; c < light.size(); ++c)
+                light[c] = is_linear_ ? 1 - darkness[c] : pictures::light_of(1 - darkness[c]);
+            const std::span<const double> found = separator_.amounts(light);
             std::copy(found.begin(), found.end(), known.begin());
         }
         return known;
@@ -248,6 +234,7 @@ private:
     static constexpr std::size_t kColours = std::size_t{1} << kBits;
 
     Separator separator_;
+    bool is_linear_;  // the picture's numbers are light
     std::size_t inks_;
     std::vector<std::array<double, 3>> colours_;
     std::vector<double> amounts_;
@@ -284,7 +271,7 @@ std::vector<Field> separated(Colours colours, std::span<const Ink> inks, const I
     const std::size_t pixels = colours.red.luminance.size();
     std::vector<Field> fields(inks.size(), {colours.red.columns, colours.red.rows, {}});
     for (Field& field : fields) field.importance.resize(pixels);
-    Remembered remembered(inks, black_ink, paper);
+    Remembered remembered(inks, black_ink, paper, colours.red.is_linear);
     for (std::size_t i = 0; i < pixels; ++i) {
         ask_after();
         const std::span<const double> amounts = remembered.amounts(

@@ -96,6 +96,7 @@ Targets targets_of(Tone& tone) {
             {"auto-levels", &tone.auto_levels},
             {"sharpen", take_by<read_sharpen>(tone)},
             {"along", &tone.along},
+            {"light", &tone.light},
             {"gamma", &tone.gamma},
             {"min-importance", &tone.min_importance}};
 }

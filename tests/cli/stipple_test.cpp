@@ -11,12 +11,19 @@
 
 #include "cli/stippling.h"
 #include "pictures/image.h"
+#include "pictures/importance.h"
 #include "program.h"
 
 namespace {
 
 using namespace lacuna::test;
 using lacuna::Point;
+
+// The light of a photograph's numbers. The numbers of a picture of dots are shares of white paper.
+lacuna::pictures::Image light_of(lacuna::pictures::Image photograph) {
+    for (double& one : photograph.luminance) one = lacuna::pictures::light_of(one);
+    return photograph;
+}
 
 // The mean luminance in each of 32 x 24 blocks.
 std::vector<double> blocks_of(const lacuna::pictures::Image& image) {
@@ -41,7 +48,8 @@ double mean_difference(const std::vector<double>& a, const std::vector<double>& 
 
 TEST(Stipple, GivenThePhotographThenThePictureOfTheDotsLooksLikeIt) {
     const Folder folder;
-    const std::vector<double> photograph = blocks_of(lacuna::pictures::read_image(kRaccoon));
+    const std::vector<double> photograph =
+        blocks_of(light_of(lacuna::pictures::read_image(kRaccoon)));
     // The errors that docs/stipple.md states; relaxed dots have slightly smaller ones.
     const std::vector<std::pair<Names, double>> ways{{{"--metric", "min"}, 0.035},
                                                      {{"--metric", "mean"}, 0.035},
@@ -58,9 +66,37 @@ TEST(Stipple, GivenThePhotographThenThePictureOfTheDotsLooksLikeIt) {
     }
 }
 
+// Each step's mean number in the picture of the dots is the share of white paper.
+TEST(Stipple, GivenTenStepsOfGreyThenEachHasItsLightInEveryWay) {
+    const Folder folder;
+    std::string pixels;
+    for (int step = 0; step < 10; ++step) pixels += static_cast<char>(step * 255 / 9);
+    const std::string steps = grey_picture(folder, 10, 1, pixels);
+    const Names paper{"--paper-size", "250x25mm"};
+    for (const Names& way :
+         {Names{"--count", "20000"}, Names{"--count", "20000", "--size-by-tone", "0.5"},
+          Names{"--count", "20000", "--inks", "black"}, joined({"--dot-size", "0.4mm"}, paper),
+          joined({"--pens", "0.3mm,0.5mm,0.8mm"}, paper),
+          joined({"--inks", "black:0.4mm"}, paper)}) {
+        const std::string path = folder.path("dots.png");
+        ASSERT_EQ(run(joined({"stipple", steps, "--dpi", "300", "-o", path}, way)).exit_code, 0);
+        const lacuna::pictures::Image dots = lacuna::pictures::read_image(path);
+        const double white = *std::max_element(dots.luminance.begin(), dots.luminance.end());
+        for (std::size_t step = 0; step < 10; ++step) {
+            double sum = 0, count = 0;
+            for (std::size_t row = dots.rows / 8; row < dots.rows * 7 / 8; ++row)
+                for (std::size_t column = (10 * step + 1) * dots.columns / 100;
+                     column < (10 * step + 9) * dots.columns / 100; ++column, ++count)
+                    sum += dots.luminance[row * dots.columns + column];
+            const double light = lacuna::pictures::light_of(static_cast<double>(step) / 9);
+            EXPECT_NEAR(sum / count / white, light, 0.02) << step << " " << way.back();
+        }
+    }
+}
+
 TEST(Stipple, WarnsInOneLineOfDotsWithLessThanHalfOfTheInkOrMoreThanTwice) {
     const Folder folder;
-    const std::string grey = grey_picture(folder, 1, 1, bytes({128}));  // importance 127 / 255
+    const std::string grey = grey_picture(folder, 1, 1, bytes({188}));  // half of the light
     const auto warning = [&](const Names& more) {
         Names words{"stipple", grey, "--paper-size", "120x100mm",         "--margin", "10mm",
                     "--relax", "0",  "-o",           folder.path("a.svg")};
@@ -68,12 +104,12 @@ TEST(Stipple, WarnsInOneLineOfDotsWithLessThanHalfOfTheInkOrMoreThanTwice) {
         const std::string err = run(words).err;
         return err.starts_with("lacuna: ") ? err.substr(0, err.find('\n')) : "";
     };
-    // 80 mm x 80 mm, half of it black, is 4058 dots of 1 mm.
+    // 80 mm x 80 mm, half of it black, is 4051 dots of 1 mm.
     EXPECT_EQ(warning({"--count", "100", "--dot-size", "1mm"}),
-              "lacuna: 100 dots of 1mm have 2.5 % of the picture's ink: about 4060 dots, or "
+              "lacuna: 100 dots of 1mm have 2.5 % of the picture's ink: about 4050 dots, or "
               "--dot-size 6.4mm, would suit");
     EXPECT_EQ(warning({"--count", "1000", "--dot-size", "4mm"}),
-              "lacuna: 1000 dots of 4mm have 394 % of the picture's ink: about 254 dots, or "
+              "lacuna: 1000 dots of 4mm have 395 % of the picture's ink: about 253 dots, or "
               "--dot-size 2mm, would suit");
     EXPECT_EQ(warning({"--count", "2100", "--dot-size", "1mm"}), "");
     EXPECT_EQ(warning({"--count", "8000", "--dot-size", "1mm"}), "");
@@ -101,7 +137,7 @@ TEST(Stipple, EndsWithOneLineAndReportsWhatItMade) {
         "width": 1.0, "height": 0.75, "boundary": "box", "mode": "cells", "metric": "mean",
         "scale": null, "count": 1000, "lines_per_radius": 5, "limit": null, "round_size": 0,
         "seed": 3, "backend": "reference", "device": "", "threads": 0, "invert": false,
-        "gamma": 1.0, "black": 0.0, "white": 1.0,
+        "light": true, "gamma": 1.0, "black": 0.0, "white": 1.0,
         "auto_levels": false, "min_importance": 0.0, "relax": 0, "pen_path": false, "dot_size_mm": "radius",
         "paper_mm": null, "margin_mm": 0.0, "dpi": 144.0})");
     auto request = json.at("request");
@@ -127,10 +163,11 @@ TEST(Stipple, WithoutACountMakesAsManyDotsAsSuitThePictureAndSaysSo) {
     EXPECT_TRUE(outcome.err.starts_with(
         "4096 dots (chosen for the picture: --count gives another number), "))
         << outcome.err;
-    // 80 mm x 40 mm, half of it covered by dots of pi / 4 square mm.
+    // 80 mm x 40 mm, half of it covered by dots of pi / 4 square mm: 1.12^2 times as many as their
+    // areas alone ask for, because they overlap.
     const Outcome sized = run({"stipple", image, "--paper-size", "80x40mm", "--dot-size", "1mm",
                                "-o", folder.path("a.svg")});
-    EXPECT_TRUE(sized.err.starts_with("2037 dots (")) << sized.err;
+    EXPECT_TRUE(sized.err.starts_with("2555 dots (")) << sized.err;
 }
 
 TEST(Stipple, InExactTellsItsModeAndTheMetricThatItHas) {

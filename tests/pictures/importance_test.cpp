@@ -31,6 +31,24 @@ TEST(Importance, IsFullAtBlackAndNoneAtWhite) {
     EXPECT_EQ(field.importance, (Values{1, 0, 0.75, 0.5}));
 }
 
+// IEC 61966-2-1: 0.04045 / 12.92 at the end of the straight part, and 128 of 255 is 0.21586 light.
+TEST(Importance, FollowsTheLightOfNumbersThatAreEncodedAsSrgb) {
+    const Values grey{0, 10.0 / 255, 128.0 / 255, 1};
+    EXPECT_EQ(importance_of(image_of(grey), {.light = true}).importance.front(), 1);
+    EXPECT_NEAR(importance_of(image_of(grey), {.light = true}).importance[1], 1 - 0.0030353, 1e-6);
+    EXPECT_NEAR(importance_of(image_of(grey), {.light = true}).importance[2], 1 - 0.2158605, 1e-6);
+    EXPECT_EQ(importance_of(image_of(grey), {.light = true}).importance[3], 0);
+    EXPECT_NEAR(importance_of(image_of(grey), {.invert = true, .light = true}).importance[2],
+                0.2158605, 1e-6);
+    Image of_light = image_of(grey);
+    of_light.is_linear = true;
+    EXPECT_EQ(importance_of(of_light, {.light = true}).importance,
+              importance_of(image_of(grey), {}).importance);
+    const std::string pfm("Pf\n1 1\n-1.0\n\0\0\0\x3f", 17);  // 0.5
+    EXPECT_TRUE(decode_image(pfm, "half.pfm").is_linear);
+    EXPECT_FALSE(decode_image("P2 1 1 1 0", "black.pgm").is_linear);
+}
+
 TEST(Importance, IsFullAtWhiteAndNoneAtBlackWithInvert) {
     EXPECT_EQ(importance({0, 1, 0.25, 0.5}, {.invert = true}), (Values{0, 1, 0.25, 0.5}));
 }

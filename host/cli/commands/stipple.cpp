@@ -52,9 +52,11 @@ Examples:
   lacuna stipple density.npy --invert --count 5000 > points.txt       high numbers are dense
 
 The domain is the picture, with a longer side of 1 and y upwards. Importance is 1 where the picture
-is black and 0, which means no dots, where it is white. Dots are placed at random, so that every
-part of the picture has its share of them. Then they are moved, 15 times or as --relax says: their
-cells then hold nearly equal darkness, and each dot is in the middle of its cell.
+is black and 0, which means no dots, where it is white; in between paper and dots together reflect
+as much light as the picture. Few dots look better lighter, with --gamma 2. Dots are placed at
+random, so that every part of the picture has its share of them. Then they are moved, 15 times or as
+--relax says: their cells then hold nearly equal darkness, and each dot is in the middle of its
+cell.
 
 With --relax 0 dots are not moved, and are at least a radius apart; the radius is
 G / sqrt(importance), with the G of --scale. Dots come in the order in which they were admitted: the
@@ -64,9 +66,9 @@ areas. With mean and max dots in light areas take room from dark ones, and gaps 
 the picture.
 
 With --mode cells dots are placed on a lattice, and about 4 % fewer fit than in the plane. With
---mode exact they are placed in the plane and no gap is left: the set of lacuna sample --field.
-Either set may be relaxed, too; in mode cells --metric is then mean by default. Fine details then
-have more dots than their share.
+--mode exact they are placed in the plane and no gap is left: the set of lacuna sample --field with
+--light. Either set may be relaxed, too; in mode cells --metric is then mean by default. Fine
+details then have more dots than their share.
 
 With --dot-size 0.5mm all dots are equally large, as a pen draws them, and with 0.3mm..0.8mm they
 are larger where it is darker; --pens 0.3mm,0.5mm,0.8mm are the widths there are. Without a number

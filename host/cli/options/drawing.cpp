@@ -113,7 +113,8 @@ void warn_of_ink(const DrawingOptions& options, std::size_t count, double suits)
 void warn_of_ink(const DrawingOptions& options, const Request& request, const Field* tone,
                  std::size_t count, const drawing::Style& style) {
     if (!options.pens || tone == nullptr) return;
-    warn_of_ink(options, count, drawing::dots_for_ink(*tone, request.domain, *options.pens, style));
+    warn_of_ink(options, count,
+                drawing::dots_for_ink(*tone, request.domain, {.pens = options.pens}, style));
 }
 
 Json json_of_pens(const std::optional<Pens>& pens) {

@@ -121,6 +121,7 @@ Json json_of_importance(const pictures::Importance& importance) {
               {"white", importance.white},
               {"auto_levels", importance.auto_levels},
               {"min_importance", importance.min_importance}};
+    if (importance.light) json["light"] = true;
     if (importance.along != 1) json["along"] = importance.along;
     if (importance.sharpen != 0) json["sharpen"] = {importance.sharpen, importance.sharpen_amount};
     return json;

@@ -39,6 +39,9 @@ struct Tone {
     double white = 1;
     bool auto_levels = false;   // instead of both: clip half a percent of the pixels at each end
     bool invert = false;        // bright is dense
+    // Decodes the picture's numbers as sRGB: ink of this importance reflects the picture's light.
+    // Otherwise what looks half grey counts half. stipple() always decodes them.
+    bool light = false;
     double gamma = 1;           // importance is raised to this power, > 0
     double min_importance = 0;  // lower importance is raised to this, 0 to 1
     // Before levels: adds `sharpen_amount` times the difference between luminance and its blur, the

@@ -14,9 +14,11 @@ namespace {
 std::vector<Field> importance_for(const Picture& picture, const StippleOptions& options) {
     using namespace pictures;
     std::vector<Field> fields;
+    Tone tone = options.tone;
+    tone.light = true;
     if (options.inks.empty())
         fields.push_back(importance_of(
-            decode_image(picture.content, picture.name, kMaxPixels, kLargestAspect), options.tone));
+            decode_image(picture.content, picture.name, kMaxPixels, kLargestAspect), tone));
     else
         fields =
             separated(decode_colours(picture.content, picture.name, kLargestAspect), options.inks,

@@ -244,9 +244,9 @@ Stippling stipple(std::vector<Field> importance, const StippleOptions& options,
         .sizing = {.by_tone = options.size_by_tone,
                    .pens = options.pens,
                    .is_line = options.path_line,
+                   .spread = made.iterations != 0 ? drawing::Spread::even : drawing::Spread::random,
                    .are_strokes = made.are_strokes},
-        .keep_inside = options.keep_inside,
-        .spread = made.iterations != 0 ? drawing::Spread::even : drawing::Spread::random};
+        .keep_inside = options.keep_inside};
     drawing::set_fields(tones, std::move(importance), options.inks);
     Stippler(made, tones, options, asked).run();
     return made;
