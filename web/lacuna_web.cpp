@@ -54,13 +54,15 @@ private:
 };
 
 // What host/pictures reads from a picture file with these bytes in its channels.
-pictures::Image image_of(const Pixels& pixels, const pictures::Weights& weights) {
+pictures::Image image_of(const Pixels& pixels, const pictures::Weights& weights,
+                         pictures::Backdrop backdrop) {
     constexpr std::int32_t kWhite = 255;
     constexpr unsigned kChannels = 4;
     pictures::Image image{pixels.columns, pixels.rows, {}, 1, "the picture"};
     image.luminance.resize(std::size_t{pixels.columns} * pixels.rows);
     pictures::Reading reading;
     reading.weights = weights;
+    reading.backdrop = backdrop;
     pictures::fill_row_from(pixels.rgba.data(), kChannels, false, image.luminance, kWhite, reading);
     return image;
 }
@@ -70,10 +72,12 @@ std::vector<Field> fields_of(const Pixels& pixels, const StippleOptions& options
     using pictures::kAll;
     Tone tone = options.tone;
     tone.light = true;
+    const pictures::Backdrop behind = pictures::backdrop_of(tone);
     if (options.inks.empty())
-        return {pictures::importance_of(image_of(pixels, pictures::kLuminance), tone)};
-    pictures::Colours colours{image_of(pixels, {kAll, 0, 0}), image_of(pixels, {0, kAll, 0}),
-                              image_of(pixels, {0, 0, kAll})};
+        return {pictures::importance_of(image_of(pixels, pictures::kLuminance, behind), tone)};
+    pictures::Colours colours{image_of(pixels, {kAll, 0, 0}, behind),
+                              image_of(pixels, {0, kAll, 0}, behind),
+                              image_of(pixels, {0, 0, kAll}, behind)};
     return pictures::separated(std::move(colours), options.inks, options.tone, kBlackInk,
                                options.paper_colour);
 }

@@ -69,7 +69,8 @@ struct Image {
 // other formats, broken and truncated files; pictures without a pixel or over the limits (before
 // memory is allocated), or whose longer side exceeds `max_aspect` times the shorter; and NaN,
 // infinity and negative numbers, with row and column.
-Image read_image(const std::string& path, std::uint64_t max_aspect = kMaxSide);
+Image read_image(const std::string& path, std::uint64_t max_aspect = kMaxSide,
+                 const Reading& reading = {});
 
 // Throws FileError if the first bytes of a file are not of one of these formats.
 void check_format(std::string_view first, const std::string& name);
@@ -88,6 +89,6 @@ struct Colours {
 
 // decode_image for each channel. Radiance's XYZE pictures come as grey ones.
 Colours decode_colours(std::string_view bytes, const std::string& name,
-                       std::uint64_t max_aspect = kMaxSide);
+                       Backdrop backdrop = Backdrop::white, std::uint64_t max_aspect = kMaxSide);
 
 }  // namespace lacuna::pictures

@@ -14,6 +14,11 @@ namespace lacuna::pictures {
 
 using Importance = lacuna::Tone;
 
+// What is behind the picture.
+inline Backdrop backdrop_of(const Importance& options) {
+    return options.on_black ? Backdrop::black : Backdrop::white;
+}
+
 // Checks the options. Throws BadRequest if a value is not allowed.
 void check(const Importance& options);
 

@@ -17,14 +17,18 @@ Picture read_picture(const std::string& path) {
 
 Field importance_of(const Picture& picture, const Tone& tone) {
     pictures::check(tone);
-    return pictures::importance_of(pictures::decode_image(picture.content, picture.name), tone);
+    return pictures::importance_of(
+        pictures::decode_image(picture.content, picture.name, pictures::kMaxPixels,
+                               pictures::kMaxSide, {.backdrop = pictures::backdrop_of(tone)}),
+        tone);
 }
 
 std::vector<Field> separate(const Picture& picture, std::span<const Ink> inks, const Tone& tone,
                             double black_ink, const Colour& paper) {
     pictures::check(tone);
-    return pictures::separated(pictures::decode_colours(picture.content, picture.name), inks, tone,
-                               black_ink, paper);
+    return pictures::separated(
+        pictures::decode_colours(picture.content, picture.name, pictures::backdrop_of(tone)), inks,
+        tone, black_ink, paper);
 }
 
 }  // namespace lacuna

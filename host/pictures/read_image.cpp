@@ -148,15 +148,15 @@ Image decode_image(std::string_view bytes, const std::string& name, std::uint64_
     return format_of(file).decode(file);
 }
 
-Image read_image(const std::string& path, std::uint64_t max_aspect) {
+Image read_image(const std::string& path, std::uint64_t max_aspect, const Reading& reading) {
     const Picture picture = read_picture(path);
-    return decode_image(picture.content, picture.name, kMaxPixels, max_aspect);
+    return decode_image(picture.content, picture.name, kMaxPixels, max_aspect, reading);
 }
 
-Colours decode_colours(std::string_view bytes, const std::string& name, std::uint64_t max_aspect) {
+Colours decode_colours(std::string_view bytes, const std::string& name, Backdrop backdrop,
+                       std::uint64_t max_aspect) {
     const auto channel = [&](const Weights& weights) {
-        return decode_image(bytes, name, kMaxPixels, max_aspect,
-                            {Backdrop::white, weights, kBytesOfInks});
+        return decode_image(bytes, name, kMaxPixels, max_aspect, {backdrop, weights, kBytesOfInks});
     };
     return {channel({kAll, 0, 0}), channel({0, kAll, 0}), channel({0, 0, kAll})};
 }

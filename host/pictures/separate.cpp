@@ -75,12 +75,16 @@ public:
             absorbed_.push_back(absorbed);
             is_opaque_.push_back(ink.is_opaque_on(paper));
         }
+        const auto is_grey = [](const Colour& one) { return one[0] == one[1] && one[1] == one[2]; };
+        is_grey_ = is_grey(paper) && std::all_of(inks.begin(), inks.end(), [&](const Ink& ink) {
+                       return is_grey(ink.colour);
+                   });
     }
 
     // The result holds until the next call.
     std::span<const double> amounts(const Light& picture) {
         ask_after(64);
-        const Light wanted = no_darker_than_black(picture);
+        const Light wanted = no_darker_than_black(is_grey_ ? luminance_of(picture) : picture);
         std::fill(amounts_.begin(), amounts_.end(), 0.0);
         if (has_black()) {
             amounts_[black_] = amount_of_black(wanted);
@@ -106,6 +110,14 @@ private:
         for (std::size_t c = 0; c < light.size(); ++c)
             light[c] = pictures::light_of(colour[c] / 255.0);
         return light;
+    }
+
+    // Grey inks can print no more of a colour than its luminance.
+    static Light luminance_of(const Light& light) {
+        const double grey =
+            (kLuminance.red * light[0] + kLuminance.green * light[1] + kLuminance.blue * light[2]) /
+            kAll;
+        return {grey, grey, grey};
     }
 
     bool has_black() const { return black_ != amounts_.size(); }
@@ -195,6 +207,7 @@ private:
     double black_ink_;
     std::size_t black_;  // the first black ink, or the number of inks if there is none
     bool is_white_;      // the paper
+    bool is_grey_;       // paper and inks
     Light paper_;
     std::vector<Light> absorbed_;  // the part of the light that each ink absorbs where it covers
     std::vector<bool> is_opaque_;

@@ -69,6 +69,9 @@ constexpr Row kRows[] = {
     {{"invert", "", Kind::flag, kPicture}, "Bright is dense instead of dark"},
     {{"black", "L", Kind::number, kPicture}, "Luminance from 0 to L counts as black (default 0)"},
     {{"white", "L", Kind::number, kPicture}, "Luminance from L to 1 counts as white (default 1)"},
+    {{"background", "COLOUR", Kind::word, kPicture, {.words = Words::backgrounds}},
+     "What shows through where the picture is transparent: white (default), or black for light "
+     "drawings"},
     {{"auto-levels", "", Kind::flag, kPicture},
      "Chooses --black and --white: half a percent of the pixels lie beyond each"},
     {{"sharpen", "R[:X]", Kind::text, kPicture},

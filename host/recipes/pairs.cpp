@@ -27,7 +27,7 @@ struct Pairs {
 };
 
 constexpr std::string_view kReading =
-    "invert black white auto-levels sharpen along light gamma min-importance";
+    "invert black white background auto-levels sharpen along light gamma min-importance";
 
 constexpr Pairs kPairs[] = {
     // Pictures and ellipses

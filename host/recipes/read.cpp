@@ -176,6 +176,12 @@ void read_domain(const std::string& option, const std::string& text, Domain& dom
                          "must be WIDTHxHEIGHT, two numbers such as 1x1 or 2.5x1");
 }
 
+void read_background(const std::string& text, Tone& tone) {
+    if (!is_among(text, Words::backgrounds))
+        throw BadRequest("background", shown(text), "must be " + listed(Words::backgrounds));
+    tone.on_black = text == "black";
+}
+
 void read_sharpen(const std::string& text, Tone& tone) {
     const std::size_t colon = std::min(text.find(':'), text.size());
     read("sharpen", text.substr(0, colon), tone.sharpen);

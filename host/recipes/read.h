@@ -28,6 +28,9 @@ std::vector<std::string> parts_of_list(const std::string& text);
 // The sides of a domain as WIDTHxHEIGHT.
 void read_domain(const std::string& option, const std::string& text, Domain& domain);
 
+// white or black: Tone::on_black.
+void read_background(const std::string& text, Tone& tone);
+
 // R:X, a radius in pixels and how much edges are sharpened; or R alone.
 void read_sharpen(const std::string& text, Tone& tone);
 

@@ -42,7 +42,7 @@ CommandLine read_text(Commands command, const char* text, const Targets& targets
     for (const std::string_view name : besides) line.given.push_back({name, {"given"}});
     const std::vector<std::string> words = words_of(text == nullptr ? "" : text);
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string word = words[i];
+        const std::string& word = words[i];
         const Option& option = option_in(command, word, targets);
         const std::string name(option.name);
         if (line.has(name) && !option.traits.repeats) throw BadRequest(name, "", "is given twice");

@@ -93,6 +93,7 @@ Targets targets_of(Tone& tone) {
     return {{"invert", &tone.invert},
             {"black", &tone.black},
             {"white", &tone.white},
+            {"background", take_by<read_background>(tone)},
             {"auto-levels", &tone.auto_levels},
             {"sharpen", take_by<read_sharpen>(tone)},
             {"along", &tone.along},

@@ -20,6 +20,7 @@ enum class Words {
     formats,         // of point files
     report_formats,  // of analyze
     chart_formats,   // of compare
+    backgrounds,     // behind transparent pictures
     papers,
     between,  // the rules for distances of classes
     figures,  // of the paper

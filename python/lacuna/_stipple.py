@@ -43,6 +43,7 @@ def stipple(
     invert: bool = False,
     black: SupportsFloat = 0.0,
     white: SupportsFloat = 1.0,
+    background: Literal["white", "black"] = "white",
     auto_levels: bool = False,
     gamma: SupportsFloat = 1.0,
     min_importance: SupportsFloat = 0.0,
@@ -109,6 +110,8 @@ def stipple(
         Bright is dense instead of dark.
     black, white : float
         Luminance up to ``black`` counts as black, and from ``white`` on as white; 0 to 1.
+    background : {'white', 'black'}
+        What shows through where the picture is transparent: black for light drawings.
     auto_levels : bool
         Choose ``black`` and ``white`` so that half a percent of the pixels lie beyond each.
     gamma : float
@@ -164,7 +167,8 @@ progress
     """
     asked = options(
         n=n, scale=scale, relax=relax, metric=metric, mode=mode, black_ink=black_ink,
-        ink_counts=ink_counts, paper_colour=paper_colour, invert=invert, black=black, white=white, auto_levels=auto_levels,
+        ink_counts=ink_counts, paper_colour=paper_colour, invert=invert, black=black, white=white,
+        background=background, auto_levels=auto_levels,
         gamma=gamma, min_importance=min_importance, sharpen=sharpen, sharpen_amount=sharpen_amount,
         along=along, size_by_tone=size_by_tone, keep_inside=keep_inside, torus=torus, seed=seed,
         limit=limit, lines_per_radius=lines_per_radius, round_size=round_size, backend=backend,

@@ -14,6 +14,7 @@
 #include "files/point_files.h"
 #include "options.h"
 #include "parts.h"
+#include "recipes/read.h"
 #include "watch.h"
 
 namespace nb = nanobind;
@@ -37,6 +38,8 @@ StippleOptions options_of(const nb::dict& given, const std::vector<Ink>& inks) {
     read(given, "ink_counts", options.ink_counts);
     if (given.contains("paper_colour"))
         options.paper_colour = paper_of(nb::cast<std::string>(given["paper_colour"]));
+    if (given.contains("background"))
+        recipes::read_background(nb::cast<std::string>(given["background"]), options.tone);
     read(given, "sharpen", options.tone.sharpen);
     read(given, "sharpen_amount", options.tone.sharpen_amount);
     return options;

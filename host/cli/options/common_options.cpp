@@ -37,7 +37,9 @@ Targets targets_of(Picture& picture) {
 }
 
 Field read_field(const Picture& picture, Request& request) {
-    pictures::Image image = pictures::read_image(picture.path, pictures::kLargestAspect);
+    pictures::Image image =
+        pictures::read_image(picture.path, pictures::kLargestAspect,
+                             {.backdrop = pictures::backdrop_of(picture.importance)});
     request.domain = domain_like(image.columns, image.rows, request.domain.boundary);
     return pictures::importance_of(std::move(image), picture.importance);
 }

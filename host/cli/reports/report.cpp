@@ -122,6 +122,7 @@ Json json_of_importance(const pictures::Importance& importance) {
               {"auto_levels", importance.auto_levels},
               {"min_importance", importance.min_importance}};
     if (importance.light) json["light"] = true;
+    if (importance.on_black) json["background"] = "black";
     if (importance.along != 1) json["along"] = importance.along;
     if (importance.sharpen != 0) json["sharpen"] = {importance.sharpen, importance.sharpen_amount};
     return json;

@@ -39,6 +39,8 @@ struct Tone {
     double white = 1;
     bool auto_levels = false;   // instead of both: clip half a percent of the pixels at each end
     bool invert = false;        // bright is dense
+    // What shows through where the picture is transparent: black, for light drawings, or white.
+    bool on_black = false;
     // Decodes the picture's numbers as sRGB: ink of this importance reflects the picture's light.
     // Otherwise what looks half grey counts half. stipple() always decodes them.
     bool light = false;

@@ -17,12 +17,15 @@ std::vector<Field> importance_for(const Picture& picture, const StippleOptions& 
     Tone tone = options.tone;
     tone.light = true;
     if (options.inks.empty())
-        fields.push_back(importance_of(
-            decode_image(picture.content, picture.name, kMaxPixels, kLargestAspect), tone));
+        fields.push_back(
+            importance_of(decode_image(picture.content, picture.name, kMaxPixels, kLargestAspect,
+                                       {.backdrop = backdrop_of(tone)}),
+                          tone));
     else
-        fields =
-            separated(decode_colours(picture.content, picture.name, kLargestAspect), options.inks,
-                      options.tone, options.black_ink.value_or(kBlackInk), options.paper_colour);
+        fields = separated(
+            decode_colours(picture.content, picture.name, backdrop_of(tone), kLargestAspect),
+            options.inks, options.tone, options.black_ink.value_or(kBlackInk),
+            options.paper_colour);
     return fields;
 }
 
