@@ -17,8 +17,10 @@ template <typename T>
 void make_room_to_append(std::vector<T>& entries, std::size_t more, Workers& workers) {
     constexpr std::size_t kPage = std::size_t{1} << 12;
     constexpr std::size_t kPagesATime = 512;
-    if (entries.capacity() < entries.size() + more)
+    if (entries.capacity() < entries.size() + more) {
         entries.reserve(std::max(entries.size() + more, 2 * entries.capacity()));
+        ask_for_large_pages(entries.data() + entries.size(), entries.capacity() - entries.size());
+    }
     auto* const room = reinterpret_cast<std::byte*>(entries.data() + entries.size());
     const std::size_t pages = more * sizeof(T) / kPage;
     workers.for_columns(static_cast<std::uint32_t>(pages / kPagesATime), pages,

@@ -143,6 +143,9 @@ lacuna_set* sampled(const char* options, const lacuna_given* given) {
 lacuna_set* stippled(const char* options, const void* picture, std::size_t bytes) {
     StippleOptions asked;
     recipes::read_text(recipes::kStipple, options, recipes::targets_of(asked));
+    if (asked.tone.along != 1)
+        throw BadRequest("along", shortest(asked.tone.along),
+                         "makes ellipses, which have no place in lacuna.h");
     if (picture == nullptr) throw BadRequest("picture", "NULL", "must be the content of a file");
     Picture given{std::string(static_cast<const char*>(picture), bytes), "the picture"};
     Watched observer;
@@ -193,7 +196,10 @@ std::string lack_of(const Proof& proof, bool distances_only) {
     if (proof.forbidden)
         return point(*proof.forbidden) + ", numbered from 0, lies where no point may";
     if (!proof.kept) return distance_in(proof);
-    if (distances_only || proof.covered) return "";
+    if (distances_only || proof.maximal) return "";
+    if (proof.covered)
+        return "not proven maximal, as the tolerance is over 1 % of the radius: " +
+               shortest(proof.tolerance);
     return "there is room for a point at (" + shortest(proof.largest_gap.x) + ", " +
            shortest(proof.largest_gap.y) + "), " + shortest(proof.largest_gap_distance) +
            " from the nearest one";

@@ -70,7 +70,8 @@ double importance_at(Point point, const Field& field, const Domain& domain) {
 }
 
 bool Sizing::varies() const {
-    return by_tone != 0 || is_line || are_strokes || pens;
+    return by_tone != 0 || is_line || are_strokes ||
+           (pens && (fills_overlaps || pens->least_mm != pens->most_mm));
 }
 
 double width_at(const Pens& pens, double importance) {
@@ -86,7 +87,8 @@ double Sizing::area_at(double importance) const {
     if (is_line) return (pens ? pens->least_mm * pens->least_mm : 1) / importance;
     if (are_strokes) return 1;
     if (!pens) return by_tone == 0 ? 1 : power(importance, by_tone);
-    const double diameter = width_at(*pens, importance) / wider_at(importance, spread, false);
+    const double wider = fills_overlaps ? wider_at(importance, spread, false) : 1;
+    const double diameter = width_at(*pens, importance) / wider;
     return std::numbers::pi / 4 * diameter * diameter;
 }
 

@@ -27,12 +27,15 @@ struct Sizing {
     bool is_line = false;
     // How dots lie, which decides how much they overlap.
     Spread spread = Spread::even;
+    // Whether pens draw more dots where they overlap, as other dots are wider there. Not for sets
+    // that keep distances, which follow importance alone.
+    bool fills_overlaps = false;
     // Or dots are strokes of a pen along the field's stretches, as long as the root of their ratio.
     bool are_strokes = false;
 
     bool varies() const;
-    // The area of a dot: relative, or in mm^2 with pens. Of a pen's dot it is the part that no
-    // other dot covers, too: pens draw more dots where they overlap, as others are wider there.
+    // The area of a dot: relative, or in mm^2 with pens; with fills_overlaps without what other
+    // dots cover of it.
     double area_at(double importance) const;
 };
 

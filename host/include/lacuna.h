@@ -11,8 +11,9 @@
  * Link the shared library lacuna, built with LACUNA_EXTRAS; or lacuna::extras and C++'s runtime.
  *
  * Options are one text, as on the command line of `lacuna sample` and the others, which give the
- * same points. Those that name files are refused: a call is given what they would hold. An option
- * that is not known, and a value that is not allowed, are refused too, and nothing is made.
+ * same points. What is not understood is refused, and nothing is made. So are options for which
+ * there is nothing here: of files, masks and polygons, classes, ellipses and strokes, several
+ * seeds, how a picture is read where importance is given, and what is drawn.
  *
  * Calls may be made on several threads at once. A set may be read by several threads, until it is
  * freed. */
@@ -58,7 +59,8 @@ LACUNA_C_API const char* lacuna_error(void);
 
 /* From now on each call of this thread that makes or verifies a set calls `go_on` now and then,
  * with the share of the work that is done, from 0 to 1, and with `user`. The call ends as failed if
- * it returns 0. NULL: nothing is called. */
+ * it returns 0. lacuna_verify() does not know the share, and says 0. NULL: nothing is called.
+ * `go_on` must not call lacuna_watch(), and must not make or verify a set. */
 LACUNA_C_API void lacuna_watch(int (*go_on)(double done, void* user), void* user);
 
 /* The points of `lacuna sample OPTIONS`. NULL if it failed, as of the next two. */
@@ -75,8 +77,9 @@ LACUNA_C_API lacuna_set* lacuna_relax(const char* options, const lacuna_given* g
 
 /* Proves from the coordinates alone that points keep their distance and leave no room for another
  * one, as `lacuna verify` does: "--radius R", or with importance "--scale R", and --domain,
- * --torus, --border, --tolerance and --distances-only. Returns 1 if that is so, 0 if not, and -1
- * if it failed. Kept points are the first of the set. */
+ * --torus, --border, --tolerance and --distances-only. Returns 1 if that is so, 0 if not or if the
+ * tolerance is over 1 % of the radius, which proves nothing, and -1 if it failed. Kept points are
+ * the first of the set. */
 LACUNA_C_API int lacuna_verify(const char* options, const lacuna_given* given, const double* points,
                                size_t count);
 
@@ -90,8 +93,8 @@ LACUNA_C_API const double* lacuna_points(const lacuna_set* set);
 /* The diameter of each dot in the domain's unit; NULL for a set that is not of lacuna_stipple(). */
 LACUNA_C_API const double* lacuna_diameters(const lacuna_set* set);
 
-/* The layer of each dot: the number of its ink, from 0 in the order of --inks, or of its pen; NULL
- * for one layer. Dots come layer by layer. */
+/* The layer of each dot: the number of its ink, from 0 in the order of --inks, or of its pen, or of
+ * its ink times the number of pens plus its pen; NULL for one layer. Dots come layer by layer. */
 LACUNA_C_API const unsigned char* lacuna_layers(const lacuna_set* set);
 
 typedef struct lacuna_facts {

@@ -40,6 +40,7 @@ public:
         for_each_polled(alpha_.size(), ask, [&](std::size_t i) {
             all[i] = std::min(all[i] * alpha_[i] + behind * (1 - alpha_[i]), image_.white);
         });
+        image_.is_linear = true;
         return std::move(image_);
     }
 

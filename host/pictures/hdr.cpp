@@ -163,9 +163,7 @@ Image decode_hdr(const Encoded& file) {
             pixels.set(y, x, header.is_xyz ? std::span(colour).subspan(1, 1) : std::span(colour));
         }
     }
-    Image image = std::move(pixels).finish();
-    image.is_linear = true;
-    return image;
+    return std::move(pixels).finish();
 }
 
 }  // namespace lacuna::pictures

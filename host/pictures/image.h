@@ -60,7 +60,7 @@ struct Image {
 // Luminance of colour is 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709). Alpha is composited over
 // `backdrop`. Both use the numbers as they are stored, and no colour profile or transfer curve is
 // undone here: see Tone::light.
-// PFM and HDR have linear light, and other pictures numbers that are encoded as sRGB.
+// Samples of 8 or 16 bits and maxval are encoded as sRGB; other numbers are linear light.
 // Samples of 8 or 16 bits (in PGM and PPM: up to maxval) are divided by the largest possible
 // sample, correctly rounded, and white is 1. Numbers of .npy, PFM and HDR stay as they are; white
 // is the largest luminance in the picture, but at least 1.

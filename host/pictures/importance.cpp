@@ -118,8 +118,8 @@ void refuse_blank(const std::string& name, bool invert) {
         name, invert ? "black all over, so that with --invert no sample is wanted anywhere: must "
                        "be brighter somewhere, or give a --min-importance over 0"
                      : "white all over, so that no sample is wanted anywhere: must be darker "
-                       "somewhere, or give --invert or, if it is transparent, --background black, "
-                       "or a --min-importance over 0");
+                       "somewhere, or give --invert or a --min-importance over 0, or, if it is "
+                       "transparent, --background black");
 }
 
 void apply_gamma_and_least(std::vector<double>& values, const std::string& name,

@@ -75,9 +75,7 @@ Image decode_pfm(const Encoded& file) {
             pixels.set(y, x, used);
         }
     }
-    Image image = std::move(pixels).finish();
-    image.is_linear = true;
-    return image;
+    return std::move(pixels).finish();
 }
 
 }  // namespace lacuna::pictures

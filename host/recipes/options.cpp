@@ -80,9 +80,9 @@ constexpr Row kRows[] = {
     {{"along", "RATIO", Kind::number, kPicture & ~kMoved},
      "Ellipses instead of disks, up to RATIO times as long as wide, along the picture's edges "
      "(default 1); in mode exact"},
-    {{"light", "", Kind::flag, kPlaced},
-     "Points are as dense as ink that reflects the picture's light, as those of stipple are: its "
-     "numbers are decoded as sRGB. Without it, what looks half grey counts half"},
+    {{"light", "", Kind::flag, kPlaced | kMoved},
+     "The picture's light counts, as in stipple: its numbers are decoded as sRGB. Without it, what "
+     "looks half grey counts half"},
     {{"gamma", "X", Kind::number, kPicture},
      "Importance is raised to this power: over 1 lightens middle tones (default 1)"},
     {{"min-importance", "I", Kind::number, kPicture},

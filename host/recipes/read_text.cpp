@@ -29,8 +29,7 @@ const Option& option_in(Commands command, const std::string& word, const Targets
         throw BadRequest("options", word,
                          "is no option of lacuna " + std::string(name_of_command(command)));
     if (!targets.contains(option->name))
-        throw BadRequest(std::string(option->name), "",
-                         "is for the command lacuna, which reads and writes files");
+        throw BadRequest("options", word, "is for the command alone");
     return *option;
 }
 
@@ -45,7 +44,8 @@ CommandLine read_text(Commands command, const char* text, const Targets& targets
         const std::string& word = words[i];
         const Option& option = option_in(command, word, targets);
         const std::string name(option.name);
-        if (line.has(name) && !option.traits.repeats) throw BadRequest(name, "", "is given twice");
+        if (line.has(name) && !option.traits.repeats)
+            throw BadRequest("options", word, "is given twice");
         GivenOption& given = line.given.emplace_back();
         given.name = option.name;
         const std::size_t equals = word.find('=');
@@ -57,7 +57,8 @@ CommandLine read_text(Commands command, const char* text, const Targets& targets
         else if (!option.traits.usual.empty())
             given.values.emplace_back(option.traits.usual);
         if (given.values.empty() != (option.kind == Kind::flag))
-            throw BadRequest(name, "", given.values.empty() ? "needs a value" : "has no value");
+            throw BadRequest("options", word,
+                             given.values.empty() ? "needs a value" : "has no value");
     }
     line.sort();
     read(line, targets);

@@ -65,6 +65,7 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer, const T
 Outcome generate(const Plan& plan, Backend& backend, Observer& observer) {
     std::vector<Sample> all;
     all.reserve(plan.expected_samples);
+    ask_for_large_pages(all.data(), all.capacity());
     Outcome outcome = generate(plan, backend, observer, [&](std::span<const Sample> samples) {
         all.insert(all.end(), samples.begin(), samples.end());
     });

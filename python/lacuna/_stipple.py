@@ -71,9 +71,9 @@ def stipple(
         A picture: PNG, JPEG, TIFF, WebP, PGM, PPM, PFM, Radiance HDR or .npy; or an array, row 0 on
         top.
         Black is 0. White is 255 or 65535 for 8-bit and 16-bit numbers; for other numbers it is 1,
-        or the largest number in the array if that is over 1. The numbers are decoded as sRGB, and
-        dots and paper together reflect the picture's light; few dots look better lighter, with a
-        ``gamma`` of 2.
+        or the largest number in the array if that is over 1. 8- and 16-bit numbers are decoded as
+        sRGB, and others count as light: dots and paper together reflect the picture's light. Few
+        dots look better lighter, with a ``gamma`` of 2.
     n : int, optional
         Exactly ``n`` dots. By default, without ``scale``, one dot for 16 black pixels, at most a
         million. A grey pixel counts by its darkness; the longer side counts as 512 to 2048 pixels.

@@ -44,10 +44,13 @@ static void sets_are_made_and_proven(void) {
     EXPECT(strstr(lacuna_error(), "there is room for a point at (") != NULL);
     EXPECT(lacuna_verify("--radius 0.03 --torus --distances-only", NULL, lacuna_points(set),
                          lacuna_count(set)) == 1);
+    const double middle[2] = {0.5, 0.5};
+    EXPECT(lacuna_verify("--radius 0.1 --tolerance 1", NULL, middle, 1) == 0);
+    EXPECT(strstr(lacuna_error(), "not proven maximal") != NULL);
     EXPECT(lacuna_verify("--torus", NULL, lacuna_points(set), lacuna_count(set)) == -1);
     EXPECT(strstr(lacuna_error(), "radius") != NULL);
 
-    /* Every other point is kept, and new ones fill the space around them. */
+    /* The first three points are kept, and new ones fill the space around them. */
     lacuna_given given;
     memset(&given, 0, sizeof(given));
     double kept[6];
@@ -102,6 +105,7 @@ static void pictures_become_dots(const char* path) {
     EXPECT(lacuna_count(dots) == 500 && lacuna_layers(dots) == NULL);
     lacuna_free(dots);
     expect_error(lacuna_stipple("", "no picture", 10), "the picture");
+    expect_error(lacuna_stipple("--along 3", content, bytes), "along 3: makes ellipses");
 }
 
 static void what_is_not_understood_is_refused(void) {
@@ -112,7 +116,8 @@ static void what_is_not_understood_is_refused(void) {
     expect_error(lacuna_sample("--radius 0.1 --radius 0.2", NULL), "is given twice");
     expect_error(lacuna_sample("--radius 0,1", NULL), "0,1");
     expect_error(lacuna_sample("--radius 0.1 --torus=yes", NULL), "torus");
-    expect_error(lacuna_sample("--radius 0.1 --inside lakes.svg", NULL), "reads and writes files");
+    expect_error(lacuna_sample("--radius 0.1 --inside lakes.svg", NULL),
+                 "options --inside: is for the command alone");
     expect_error(lacuna_sample("--radius 0.1 --backend gpu", NULL), "gpu");
     expect_error(lacuna_sample(NULL, NULL), "radius");
     expect_error(lacuna_relax("", NULL, NULL, 3), "points NULL: must be 3 points");

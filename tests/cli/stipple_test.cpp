@@ -170,6 +170,17 @@ TEST(Stipple, WithoutACountMakesAsManyDotsAsSuitThePictureAndSaysSo) {
     EXPECT_TRUE(sized.err.starts_with("2555 dots (")) << sized.err;
 }
 
+// A pen decides how large dots are drawn, and no distance.
+TEST(Stipple, WithAPenAndAScaleIsTheSetWithoutThePenAndIsProven) {
+    const Folder folder;
+    const Names scaled{"stipple", kRaccoon, "--scale", "0.02", "--relax", "0", "--mode", "exact"};
+    expect_success(joined(scaled, {"--quiet", "-o", folder.path("plain.txt")}));
+    expect_success(joined(scaled, {"--quiet", "--dot-size", "0.5mm", "--paper-size", "A4", "-o",
+                                   folder.path("pen.txt"), "-o", folder.path("pen.json")}));
+    EXPECT_EQ(content_of(folder.path("pen.txt")), content_of(folder.path("plain.txt")));
+    expect_success({"verify", folder.path("pen.json"), "--field", kRaccoon, "--light"});
+}
+
 TEST(Stipple, InExactTellsItsModeAndTheMetricThatItHas) {
     const Folder folder;
     const std::string image = grey_picture(folder, 2, 1, bytes({0, 128}));

@@ -31,7 +31,7 @@ TEST(Background, ThatHidesTheWholePictureIsNamedInTheRefusal) {
         importance_of(kWhiteArt);
         FAIL() << "white on white was read";
     } catch (const FileError& error) {
-        EXPECT_NE(std::string(error.what()).find("if it is transparent, --background black"),
+        EXPECT_NE(std::string(error.what()).find("or, if it is transparent, --background black"),
                   std::string::npos)
             << error.what();
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <utility>
 
 namespace lacuna::device {
@@ -41,7 +42,12 @@ HostMemory HostMemoryPool::take(const std::shared_ptr<HostMemoryPool>& pool, std
         }
     }
     if (memory.bytes() == 0) memory = make();
-    const auto give_back = [pool, memory](void*) { pool->give_back(memory); };
+    const auto give_back = [pool, memory](void*) {
+        try {
+            pool->give_back(memory);
+        } catch (const std::bad_alloc&) {  // then it is not kept
+        }
+    };
     return {std::shared_ptr<void>(memory.handle(), give_back),
             memory.values<std::byte>(static_cast<std::size_t>(memory.bytes()))};
 }

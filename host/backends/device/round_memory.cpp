@@ -163,13 +163,14 @@ void RoundMemory::list_samples(Listing listing) {
 std::span<const std::uint32_t> RoundMemory::download_results(std::size_t words_of_bins) {
     static_assert(sizeof(Sample) == 2 * kWord);
     const std::size_t words = words_of_bins + 2 * std::size_t{report[SAMPLES_WORD]};
-    if (results_.bytes() < words * kWord) {
-        results_ = {};  // frees the old memory first
-        results_ = queue.host_memory(memory.results.bytes());
+    HostMemory& results = words_of_bins == 0 ? samples_alone_ : results_;
+    if (results.bytes() < words * kWord) {
+        results = {};  // frees the old memory first
+        results = queue.host_memory(memory.results.bytes());
     }
-    const std::span<std::uint32_t> all = results_.values<std::uint32_t>(words);
+    const std::span<std::uint32_t> all = results.values<std::uint32_t>(words);
     get(memory.results, all);
-    samples_ = results_.values<const Sample>(report[SAMPLES_WORD], words_of_bins * kWord);
+    samples_ = results.values<const Sample>(report[SAMPLES_WORD], words_of_bins * kWord);
     return all.first(words_of_bins);
 }
 

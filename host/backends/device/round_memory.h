@@ -162,7 +162,8 @@ private:
     std::span<const Draw> draws_;  // part by part
     bool has_more_passes_ = false;
     HostMemory results_;
-    std::span<const Sample> samples_;  // in results_
+    HostMemory samples_alone_;         // so that the bins in results_ stay
+    std::span<const Sample> samples_;  // in one of them
 };
 
 }  // namespace lacuna::device

@@ -53,8 +53,12 @@ public:
     // Memory that the driver has pinned: a card's copies of other memory go through some of its
     // own.
     HostMemory host_memory(std::uint64_t bytes) override {
-        return device::HostMemoryPool::take(device_->host_memory(), bytes,
-                                            [&] { return pinned_memory(bytes); });
+        try {
+            return device::HostMemoryPool::take(device_->host_memory(), bytes,
+                                                [&] { return pinned_memory(bytes); });
+        } catch (const DeviceError&) {  // no more memory can be pinned: other memory does, too
+            return device::Queue::host_memory(bytes);
+        }
     }
 
     void fill(const Buffer& buffer, std::uint32_t value, std::uint64_t words) override {

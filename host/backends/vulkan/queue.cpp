@@ -73,11 +73,17 @@ public:
         if (bytes == 0 || bytes > device().largest_buffer_bytes)
             return device::Queue::host_memory(bytes);
         std::erase_if(host_blocks_, [](const HostMemory& block) { return !block.has_copies(); });
-        return host_blocks_.emplace_back(
-            device::HostMemoryPool::take(device_->host_memory(), bytes, [&] {
-                const auto allocation = allocate(bytes, kHost, PropertyBit::eHostCached);
-                return HostMemory(allocation, mapped(*allocation, bytes));
-            }));
+        try {
+            const HostMemory block =
+                device::HostMemoryPool::take(device_->host_memory(), bytes, [&] {
+                    const auto allocation =
+                        allocate(bytes, kHost | PropertyBit::eHostCached, Properties{});
+                    return HostMemory(allocation, mapped(*allocation, bytes));
+                });
+            return host_blocks_.emplace_back(block);
+        } catch (const DeviceError&) {  // no memory is of this kind, or none is left
+            return device::Queue::host_memory(bytes);
+        }
     }
 
     void fill(const Buffer& buffer, std::uint32_t value, std::uint64_t words) override {
@@ -175,7 +181,7 @@ private:
             if (blocks_.empty() || blocks_.back().used + bytes > blocks_.back().bytes) {
                 const std::uint64_t size = std::max(bytes, kStagingBytes);
                 auto allocation = queue.allocate(size, kHost, preferred_);
-                std::byte* const bytes_of_block = mapped(*allocation, size).data();
+                std::byte* const bytes_of_block = queue.mapped(*allocation, size).data();
                 blocks_.push_back({std::move(allocation), bytes_of_block, size});
             }
             Block& block = blocks_.back();
@@ -201,9 +207,11 @@ private:
         std::deque<Block> blocks_;
     };
 
-    static std::span<std::byte> mapped(const Allocation& allocation, std::uint64_t bytes) {
-        return {static_cast<std::byte*>(allocation.memory.mapMemory(0, VK_WHOLE_SIZE)),
-                static_cast<std::size_t>(bytes)};
+    std::span<std::byte> mapped(const Allocation& allocation, std::uint64_t bytes) const {
+        return device_->guarded([&] {
+            return std::span(static_cast<std::byte*>(allocation.memory.mapMemory(0, VK_WHOLE_SIZE)),
+                             static_cast<std::size_t>(bytes));
+        });
     }
 
     // Where the bytes lie in a block of host_memory(), if they do.

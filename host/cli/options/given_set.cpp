@@ -68,9 +68,7 @@ SetAndField read_given_set(const CommandLine& line, const GivenSet& set, Request
     SetAndField read{std::move(file.sets.front()), {}, {}};
     if (!set.picture.path.empty()) {
         Request shape{.domain = request.domain};
-        Picture picture = set.picture;
-        picture.importance.light = true;  // as of stipple
-        read.field = read_field(picture, shape);
+        read.field = read_field(set.picture, shape);
         if (!has_domain) request.domain = shape.domain;
     }
     if (!has_domain && file.width)

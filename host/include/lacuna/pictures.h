@@ -37,8 +37,8 @@ struct Tone {
     // between is stretched. 0 <= black < white <= 1.
     double black = 0;
     double white = 1;
-    bool auto_levels = false;   // instead of both: clip half a percent of the pixels at each end
-    bool invert = false;        // bright is dense
+    bool auto_levels = false;  // instead of both: clip half a percent of the pixels at each end
+    bool invert = false;       // bright is dense
     // What shows through where the picture is transparent: black, for light drawings, or white.
     bool on_black = false;
     // Decodes the picture's numbers as sRGB: ink of this importance reflects the picture's light.

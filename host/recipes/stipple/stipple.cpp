@@ -245,6 +245,7 @@ Stippling stipple(std::vector<Field> importance, const StippleOptions& options,
                    .pens = options.pens,
                    .is_line = options.path_line,
                    .spread = made.iterations != 0 ? drawing::Spread::even : drawing::Spread::random,
+                   .fills_overlaps = made.request.mode == Mode::stratified,
                    .are_strokes = made.are_strokes},
         .keep_inside = options.keep_inside};
     drawing::set_fields(tones, std::move(importance), options.inks);

@@ -1,12 +1,23 @@
 // The host's memory for transfers: it is used again, by later queues, too.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <numeric>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "backends/available.h"
 #include "backends/device/queue.h"
+#ifdef LACUNA_OPENCL
+#include "backends/opencl/make_backend.h"
+#endif
+#ifdef LACUNA_VULKAN
+#include "backends/vulkan/make_backend.h"
+#endif
 
 namespace lacuna::device {
 namespace {
@@ -76,6 +87,38 @@ TEST(HostMemory, ContainsWhatLiesWithinIt) {
     EXPECT_FALSE(memory.contains(all.subspan(15, 2)));
     EXPECT_FALSE(memory.contains(all.subspan(40, 9)));
     EXPECT_FALSE(memory.contains(all.subspan(56, 8)));
+}
+
+class HostMemoryOfADevice : public tests::OnBackend {};
+INSTANTIATE_TEST_SUITE_P(Device, HostMemoryOfADevice, tests::kDeviceBackends,
+                         tests::name_of_parameter);
+
+std::unique_ptr<Queue> queue_of(const std::string& backend) {
+#ifdef LACUNA_OPENCL
+    if (backend == "opencl") return opencl::open_queue({});
+#endif
+#ifdef LACUNA_VULKAN
+    if (backend == "vulkan") return vulkan::open_queue({});
+#endif
+    throw Unavailable("backend " + backend + ": this build was made without it");
+}
+
+// Beside other memory, and at any place in a block.
+TEST_P(HostMemoryOfADevice, IsReadAndWrittenByTheDevice) {
+    constexpr std::size_t kWords = 1000, kFirst = 4 * 77;
+    const auto queue = queue_of(GetParam());
+    const HostMemory up = queue->host_memory(8 * kWords), down = queue->host_memory(8 * kWords);
+    const std::span<std::uint32_t> sent = up.values<std::uint32_t>(kWords, kFirst);
+    std::iota(sent.begin(), sent.end(), 5u);
+    const Buffer buffer = queue->make(4 * kWords);
+    queue->upload(buffer, std::as_bytes(sent), 0);
+    const std::span<std::uint32_t> received = down.values<std::uint32_t>(kWords, 2 * kFirst);
+    std::vector<std::uint32_t> in_other_memory(kWords);
+    queue->download(buffer, std::as_writable_bytes(received));
+    queue->download(buffer, std::as_writable_bytes(std::span(in_other_memory)));
+    queue->wait();
+    EXPECT_TRUE(std::equal(sent.begin(), sent.end(), received.begin(), received.end()));
+    EXPECT_TRUE(std::equal(sent.begin(), sent.end(), in_other_memory.begin()));
 }
 
 }  // namespace

@@ -33,7 +33,9 @@ struct Made {
 Made make_set(const Plan& plan, Backend& backend) {
     const Work before = backend.work();
     Made made;
-    Marginal marginal(plan, backend.workers(), [] {});
+    Marginal marginal(
+        plan, backend.workers(), [] {},
+        [&](std::size_t count) { return backend.room_for_draws(count); });
     RoundPolicy policy(plan);
     const FirstFree all_free(plan);
     marginal.rebuild(all_free.lengths, plan.strip_width, all_free.widths, all_free.sheet_ends);
