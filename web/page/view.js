@@ -1,7 +1,15 @@
 // Draws dots, the picture and spectra on canvases; zooms and moves the view.
 
-// Draws a round dot into `grey` (255 is paper) with smooth edges; the sum of its ink is its area.
-function splat(grey, width, height, x, y, r) {
+// Light, 0 to 1, of a number of sRGB from 0 to 1; and the number, 0 to 255, of light in 4095ths.
+const lightAt = (number) => (number <= 0.04045 ? number / 12.92 : ((number + 0.055) / 1.055) ** 2.4);
+const numberAt = Uint8ClampedArray.from({ length: 4096 }, (_, i) => {
+    const light = i / 4095;
+    return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055);
+});
+
+// Draws a round dot into `bare`, the share of paper that no dot covers, with smooth edges; the sum
+// of its ink is its area. Dots of a few pixels lie beside each other: what they cover is added.
+function splat(bare, width, height, x, y, r) {
     const reach = r + 0.5;
     const left = Math.max(0, Math.floor(x - reach)), right = Math.min(width - 1, Math.ceil(x + reach));
     const top = Math.max(0, Math.floor(y - reach)), bottom = Math.min(height - 1, Math.ceil(y + reach));
@@ -13,7 +21,9 @@ function splat(grey, width, height, x, y, r) {
         for (let column = left; column <= right; ++column) {
             const dx = column + 0.5 - x;
             const cover = reach - Math.sqrt(dx * dx + dy * dy);
-            if (cover > 0) grey[row * width + column] *= 1 - share * Math.min(1, cover);
+            if (cover <= 0) continue;
+            const ink = share * Math.min(1, cover), at = row * width + column;
+            bare[at] = r < 1.5 ? Math.max(0, bare[at] - ink) : bare[at] * (1 - ink);
         }
     }
 }
@@ -46,28 +56,28 @@ export function layersOf(set) {
 export const lightOf = (colour) => [16, 8, 0].map((shift) => ((colour >> shift) & 255) / 255);
 
 // Fills an ImageData with dots; `scale`: pixels per unit; (x, y): the page's upper left corner.
-// Transparent inks multiply what lies under them, and opaque ones cover it.
+// Transparent inks multiply what lies under them, and opaque ones cover it, in linear light: from
+// afar the screen is as bright as the paper would be.
 export function drawDots(image, set, page, scale, x, y) {
     const { width, height, data } = image;
-    const cover = new Float32Array(width * height);
-    const paper = lightOf(set.paperColour);
-    for (let i = 0; i < data.length; ++i) data[i] = i % 4 === 3 ? 255 : 255 * paper[i % 4];
+    const bare = new Float32Array(width * height);
+    const lights = lightOf(set.paperColour).map((paper) => new Float32Array(width * height).fill(lightAt(paper)));
     for (const { first, dots, colour, opaque } of layersOf(set)) {
-        cover.fill(255);
+        bare.fill(1);
         for (let i = first; i < first + dots; ++i) {
             const px = x + (page.left + set.points[2 * i]) * scale;
             const py = y + (page.height - page.bottom - set.points[2 * i + 1]) * scale;
             const r = (diameterOf(set, i) / 2) * scale;
             if (px > -r - 1 && py > -r - 1 && px < width + r + 1 && py < height + r + 1)
-                splat(cover, width, height, px, py, r);
+                splat(bare, width, height, px, py, r);
         }
-        lightOf(colour).forEach((light, channel) => {
-            for (let i = 0; i < cover.length; ++i) {
-                const bare = cover[i] / 255, at = 4 * i + channel;
-                data[at] = opaque ? data[at] * bare + 255 * light * (1 - bare) : data[at] * (light + (1 - light) * bare);
-            }
+        lightOf(colour).forEach((number, channel) => {
+            const ink = lightAt(number), light = lights[channel];
+            for (let i = 0; i < bare.length; ++i)
+                light[i] = opaque ? light[i] * bare[i] + ink * (1 - bare[i]) : light[i] * (ink + (1 - ink) * bare[i]);
         });
     }
+    for (let i = 0; i < data.length; ++i) if (i % 4 < 3) data[i] = numberAt[Math.round(4095 * lights[i % 4][i >> 2])];
     const inside = (row, column) => column + 0.5 > x && row + 0.5 > y &&
         column + 0.5 < x + page.width * scale && row + 0.5 < y + page.height * scale;
     for (let row = 0, i = 0; row < height; ++row)

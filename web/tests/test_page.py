@@ -78,6 +78,27 @@ class PageTest(unittest.TestCase):
         self.assertGreater(inked, 0.2)
         self.assertLess(inked, 0.9)
 
+    def test_the_screen_is_as_bright_as_a_grey_picture_however_many_dots_there_are(self):
+        page = self.browser
+        self.given("grey.png", png(60, 60, 1, lambda x, y, c: 128))
+        for count in ("3000", "20000", "100000"):
+            page.after(lambda: page.set("count", count))
+            light = page.run("""const view = document.getElementById('view');
+                const copy = document.createElement('canvas');
+                [copy.width, copy.height] = [view.width, view.height];
+                const context = copy.getContext('2d', { willReadFrequently: true });
+                context.drawImage(view, 0, 0);
+                const data = context.getImageData(0, 0, copy.width, copy.height).data;
+                let all = 0, light = 0;
+                for (let i = 0; i < data.length; i += 4) {
+                    if (data[i + 3] !== 255) continue;
+                    const number = data[i] / 255;
+                    light += number <= 0.04045 ? number / 12.92 : ((number + 0.055) / 1.055) ** 2.4;
+                    ++all;
+                }
+                return light / all;""")
+            self.assertAlmostEqual(light, 0.216, delta=0.03, msg=count)
+
     def test_a_dropped_photograph_gives_the_bytes_of_the_command(self):
         page = self.browser
         self.given("raccoon.png")
