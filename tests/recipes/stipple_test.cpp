@@ -294,6 +294,59 @@ TEST(Stippling, OnDarkPaperDrawsWhatIsLight) {
             EXPECT_NEAR(near[k].importance[i], white[k].importance[i], 0.02) << k << " " << i;
 }
 
+TEST(Stippling, OnDarkPaperInInksWithSeveralPensCoversWhatEachInkIsNeededFor) {
+    StippleOptions options{.pens = Pens{0.4, 0.8, {0.4, 0.8}},
+                           .paper = Paper{60, 60},
+                           .paper_colour = {0, 0, 0},
+                           .plot_seconds = 600};
+    options.inks = inks_of("white,gold=#d4af37");
+    const Stippling made = stipple(ramp(), options);
+    ASSERT_EQ(made.layers.size(), 4U);
+    EXPECT_EQ(made.layers[0].ink.name, "white 0.4mm");
+    EXPECT_EQ(made.layers[3].ink.name, "gold 0.8mm");
+    EXPECT_NEAR(made.plot_seconds, 600, 60);
+    // Where the ramp is dark, so is the paper.
+    for (const Point& dot : made.result.points) EXPECT_GT(dot.x, 0.02);
+    const auto right = std::count_if(made.result.points.begin(), made.result.points.end(),
+                                     [](const Point& dot) { return dot.x > 0.5; });
+    EXPECT_GT(double(right), 0.7 * double(made.result.points.size()));
+    std::size_t i = 0;
+    for (const Layer& layer : made.layers)
+        for (std::size_t k = 0; k < layer.dots; ++k, ++i)
+            EXPECT_NEAR(60 * made.diameters[i], layer.ink.pen_mm, 1e-12);
+}
+
+TEST(Stippling, OnATorusForATimeHasAsManyDotsAsOnABox) {
+    StippleOptions options{.pens = Pens{0.5, 0.5}, .paper = Paper{80, 80}, .plot_seconds = 300};
+    const Stippling box = stipple(ramp(), options);
+    options.request.domain.boundary = Boundary::torus;
+    const Stippling torus = stipple(ramp(), options);
+    EXPECT_EQ(torus.result.points.size(), box.result.points.size());
+    EXPECT_NEAR(torus.plot_seconds, 300, 30);
+    EXPECT_NE(torus.result.points, box.result.points);
+}
+
+TEST(Stippling, AsLinesOfInksWithPensOfTheirOwnHasTheirWidthsAndTheirInk) {
+    const Stippling made =
+        stipple(kDrawing,
+                {.inks = inks_of("red:0.5mm,blue:1mm"), .paper = Paper{80, 60}, .path_line = true});
+    ASSERT_EQ(made.layers.size(), 2U);
+    std::vector<double> lengths;
+    std::size_t first = 0;
+    for (const Layer& layer : made.layers) {
+        double length = 0;
+        for (std::size_t i = first + 1; i < first + layer.dots; ++i)
+            length += std::hypot(made.result.points[i].x - made.result.points[i - 1].x,
+                                 made.result.points[i].y - made.result.points[i - 1].y);
+        lengths.push_back(80 * length);
+        first += layer.dots;
+    }
+    const auto fields = separate(kDrawing, inks_of("red,blue"));
+    for (std::size_t k = 0; k < 2; ++k)
+        EXPECT_NEAR(lengths[k] * made.layers[k].ink.pen_mm / (4800 * mean_of(fields[k])), 1, 0.15)
+            << k;
+}
+
 // Pixels of a disk of 20 pixels reach at most 20.7 pixels from the middle of 60 x 60.
 TEST(Stippling, KeepsDotsInsideOfShapesWhateverTheirSizesInksAndOrder) {
     std::string pixels = "P2 60 60 1";
