@@ -77,7 +77,9 @@ export function drawDots(image, set, page, scale, x, y) {
                 light[i] = opaque ? light[i] * bare[i] + ink * (1 - bare[i]) : light[i] * (ink + (1 - ink) * bare[i]);
         });
     }
-    for (let i = 0; i < data.length; ++i) if (i % 4 < 3) data[i] = numberAt[Math.round(4095 * lights[i % 4][i >> 2])];
+    lights.forEach((light, channel) => {
+        for (let i = 0; i < light.length; ++i) data[4 * i + channel] = numberAt[(4095 * light[i] + 0.5) | 0];
+    });
     const inside = (row, column) => column + 0.5 > x && row + 0.5 > y &&
         column + 0.5 < x + page.width * scale && row + 0.5 < y + page.height * scale;
     for (let row = 0, i = 0; row < height; ++row)

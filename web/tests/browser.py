@@ -111,8 +111,10 @@ class Browser:
                  name, base64.b64encode(content).decode())
 
     # The image in the view, to find out whether it has changed.
+    # What the view shows once what was asked for is painted, in the next frame but one.
     def looks(self):
-        return self.run("return document.getElementById('view').toDataURL();")
+        return self.run("""return new Promise((resolve) => requestAnimationFrame(() =>
+            requestAnimationFrame(() => resolve(document.getElementById('view').toDataURL()))));""")
 
     # Returns the name and the bytes of the file.
     def download(self, kind):

@@ -156,6 +156,15 @@ class PageTest(unittest.TestCase):
         page.after(lambda: page.run("location.reload()"))
         self.assertIn("lacuna sample --count 2000", page.text("command"))
 
+    def test_white_art_on_transparency_shows_on_black(self):
+        page = self.browser
+        page.after(lambda: page.set("background", "black"))
+        self.given("art.png", png(60, 40, 4, lambda x, y, c: 255 if (x // 20 + y // 20) % 2 else 0))
+        self.assertIn("--background black", page.text("command"))
+        name, content = page.saved_by("save-picture")
+        (self.folder / name).write_bytes(content)
+        self.assert_the_commands_bytes("npy")
+
     def test_colours_are_read_as_the_command_reads_them(self):
         self.given("colours.png", png(61, 43, 3, lambda x, y, c: (x * (3 + c) + y * 5 * c) % 256))
         self.browser.after(lambda: self.browser.set("count", "900"))
