@@ -70,11 +70,10 @@ pictures::Image image_of(const Pixels& pixels, const pictures::Weights& weights,
 // The importance of the picture, or of each of its inks.
 std::vector<Field> fields_of(const Pixels& pixels, const StippleOptions& options) {
     using pictures::kAll;
-    Tone tone = options.tone;
-    tone.light = true;
-    const pictures::Backdrop behind = pictures::backdrop_of(tone);
+    const pictures::Backdrop behind = pictures::backdrop_of(options.tone);
     if (options.inks.empty())
-        return {pictures::importance_of(image_of(pixels, pictures::kLuminance, behind), tone)};
+        return {
+            pictures::importance_of(image_of(pixels, pictures::kLuminance, behind), options.tone)};
     pictures::Colours colours{image_of(pixels, {kAll, 0, 0}, behind),
                               image_of(pixels, {0, kAll, 0}, behind),
                               image_of(pixels, {0, 0, kAll}, behind)};

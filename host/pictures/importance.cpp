@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -103,12 +104,6 @@ double light_of(double encoded) {
     return x * x * root * root;
 }
 
-void to_darkness_of_light(std::vector<double>& darkness, bool invert) {
-    for_each_polled(darkness.size(), ask, [&](std::size_t i) {
-        darkness[i] = invert ? light_of(darkness[i]) : 1 - light_of(1 - darkness[i]);
-    });
-}
-
 bool is_zero_all_over(const std::vector<double>& values) {
     return std::all_of(values.begin(), values.end(), [](double value) { return value == 0; });
 }
@@ -133,6 +128,31 @@ void apply_gamma_and_least(std::vector<double>& values, const std::string& name,
         throw BadRequest("gamma", fmt::format("{}", options.gamma),
                          fmt::format("must be smaller: it rounds all importance in {} to 0", name));
 }
+
+namespace {
+
+// Puts the darkness of light in place of that of a picture's numbers: Tone::light. Most numbers
+// come again, and decoding one takes as long as finding several.
+void to_darkness_of_light(std::vector<double>& darkness, bool invert) {
+    constexpr unsigned kBits = 12;
+    struct Known {
+        double number = -1;
+        double light = 0;
+    };
+    std::vector<Known> known(std::size_t{1} << kBits);
+    for_each_polled(darkness.size(), ask, [&](std::size_t i) {
+        const double number = invert ? darkness[i] : 1 - darkness[i];
+        const std::uint64_t hash = std::bit_cast<std::uint64_t>(number) * 0x9e3779b97f4a7c15U;
+        auto& [decoded, light] = known[hash >> (64U - kBits)];
+        if (decoded != number) {
+            decoded = number;
+            light = light_of(number);
+        }
+        darkness[i] = invert ? light : 1 - light;
+    });
+}
+
+}  // namespace
 
 Field importance_of(Image image, const Importance& options) {
     check(options);

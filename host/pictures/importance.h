@@ -43,8 +43,6 @@ void to_darkness(Image& image, const Levels& levels, bool invert);  // d, in lum
 // Light, from 0 to 1, of a number of a picture, also from 0 to 1: IEC 61966-2-1, sRGB. The same to
 // the last bit on every machine.
 double light_of(double encoded);
-// The darkness of light, in place of that of the picture's numbers: Tone::light.
-void to_darkness_of_light(std::vector<double>& darkness, bool invert);
 bool is_zero_all_over(const std::vector<double>& values);
 [[noreturn]] void refuse_blank(const std::string& name, bool invert);
 void apply_gamma_and_least(std::vector<double>& values, const std::string& name,
