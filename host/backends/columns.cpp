@@ -49,7 +49,7 @@ void find_column_begins(std::span<const std::uint32_t> bin_begins, std::span<con
 void find_column_begins(const Plan& plan, std::uint32_t columns,
                         std::span<const Candidate> candidates, std::vector<std::uint32_t>& begins) {
     find_begins(columns, candidates, begins, [&](const Candidate& candidate, std::uint32_t column) {
-        return portable::column_of_line(candidate.line, plan.lines, columns) < column;
+        return portable::column_of_line(candidate.home, plan.lines, columns) < column;
     });
 }
 

@@ -22,12 +22,12 @@ struct Draw {
     friend bool operator==(const Draw&, const Draw&) = default;
 };
 
-// A draw turned into a point. With a radius field `line` is its block of first boxes
-// (plan/first_boxes.h), and 0 in snapshots.
+// A draw turned into a point.
 struct Candidate {
     std::uint32_t x;
     std::uint32_t y;
-    std::uint32_t line;  // the line of the strip that it lies in
+    std::uint32_t home;  // the line whose strip it lies in; with a radius field the block
+                         // (plan/first_boxes.h), which snapshots leave out: they have 0
     std::uint32_t order;
     friend bool operator==(const Candidate&, const Candidate&) = default;
 };

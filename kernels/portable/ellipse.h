@@ -3,23 +3,16 @@
 //
 // An ellipse is a triangular map: u = p dx, v = q dx + s dy. It holds an offset if u^2 + v^2 is
 // less than ELLIPSE_RADIUS^2, where u and v are in units of 2^-shift and rounded toward 0. The
-// rounding only makes it larger. s is never 0.
+// rounding only makes it larger. s is never 0, and q is a signed number.
 #ifndef LACUNA_PORTABLE_ELLIPSE_H
 #define LACUNA_PORTABLE_ELLIPSE_H
+#include "elements.h"
 #include "isqrt.h"
 
 #define ELLIPSE_RADIUS 0x40000000u
 #define ELLIPSE_RADIUS_TIMES_ROOT_2 0x5a82799bu  // and 1, because u and v are rounded
 
 LACUNA_BEGIN
-
-struct Ellipse {
-    u32 p;
-    u32 q;  // a signed number
-    u32 s;
-    u32 shift;
-};
-LACUNA_TYPEDEF(Ellipse)
 
 LACUNA_FN bool are_same(Ellipse a, Ellipse b) {
     return a.p == b.p && a.q == b.q && a.s == b.s && a.shift == b.shift;

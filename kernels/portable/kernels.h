@@ -5,6 +5,7 @@
 // item serves: many on a processor, 1 on a graphics card.
 #ifndef LACUNA_PORTABLE_KERNELS_H
 #define LACUNA_PORTABLE_KERNELS_H
+#include "elements.h"
 #include "relax_kernels.h"
 
 LACUNA_BEGIN
@@ -143,167 +144,164 @@ LACUNA_TYPEDEF(SampleArguments)
 
 LACUNA_END
 
-// The bindings of each kernel. A draw is bin, rank, offset, order; a candidate x, y, line, order.
+// The bindings of each kernel. The elements of buffers are declared in elements.h.
 // clang-format off
-#define LOCATE_BINDINGS(B) B(0, READ, u32x2, spans) B(1, READ, u32, tile_begins)                \
-    B(2, READ, u32x4, draws) B(3, WRITE, u32x4, candidates) B(4, WRITE, u32, statuses)          \
+#define LOCATE_BINDINGS(B) B(0, READ, Span, spans) B(1, READ, u32, tile_begins)                 \
+    B(2, READ, Draw, draws) B(3, WRITE, Candidate, candidates) B(4, WRITE, u32, statuses)       \
     B(5, SHARED, u32, report)
-#define LOCATE_IN_BOXES_BINDINGS(B) B(0, READ, u32x4, boxes) B(1, READ, u32x4, draws)           \
-    B(2, WRITE, u32x4, candidates) B(3, WRITE, u32, statuses)
-#define LOCATE_IN_CELLS_BINDINGS(B) B(0, READ, u32, bits) B(1, READ, u32x4, draws)              \
-    B(2, WRITE, u32x4, located) B(3, SHARED, u32, report)
-#define SORT_COLUMNS_BINDINGS(B) B(0, READ, u32, column_begins) B(1, READ, u32x4, located)      \
-    B(2, BOTH, u32, buckets) B(3, BOTH, u32x4, candidates) B(4, WRITE, u32, statuses)           \
+#define LOCATE_IN_BOXES_BINDINGS(B) B(0, READ, Box, boxes) B(1, READ, Draw, draws)              \
+    B(2, WRITE, Candidate, candidates) B(3, WRITE, u32, statuses)
+#define LOCATE_IN_CELLS_BINDINGS(B) B(0, READ, u32, bits) B(1, READ, Draw, draws)               \
+    B(2, WRITE, Candidate, located) B(3, SHARED, u32, report)
+#define SORT_COLUMNS_BINDINGS(B) B(0, READ, u32, column_begins) B(1, READ, Candidate, located)  \
+    B(2, BOTH, u32, buckets) B(3, BOTH, Candidate, candidates) B(4, WRITE, u32, statuses)       \
     B(5, SHARED, u32, report)
-#define LOOK_UP_RADII_BINDINGS(B) B(0, READ, u32x4, candidates) B(1, READ, u32, column_of)      \
+#define LOOK_UP_RADII_BINDINGS(B) B(0, READ, Candidate, candidates) B(1, READ, u32, column_of)  \
     B(2, READ, u32, row_of) B(3, READ, u32, pixel_radii) B(4, WRITE, u32, candidate_radii)
-#define SCREEN_BINDINGS(B) B(0, READ, u32x4, candidates) B(1, READ, u32, grid_x)                \
+#define SCREEN_BINDINGS(B) B(0, READ, Candidate, candidates) B(1, READ, u32, grid_x)            \
     B(2, READ, u32, grid_y) B(3, BOTH, u32, statuses) B(4, SHARED, u32, outcomes)               \
     B(5, SHARED, u32, report) B(6, SHARED, u32, cell_heads) B(7, WRITE, u32, next_candidates)
-#define SCREEN_IN_CELLS_BINDINGS(B) B(0, READ, u32x4, candidates) B(1, READ, u32, bits)         \
+#define SCREEN_IN_CELLS_BINDINGS(B) B(0, READ, Candidate, candidates) B(1, READ, u32, bits)     \
     B(2, BOTH, u32, statuses) B(3, SHARED, u32, outcomes) B(4, SHARED, u32, report)
-#define ADMIT_BINDINGS(B) B(0, READ, u32x4, candidates) B(1, SHARED, u32, statuses)             \
+#define ADMIT_BINDINGS(B) B(0, READ, Candidate, candidates) B(1, SHARED, u32, statuses)         \
     B(2, SHARED, u32, report) B(3, SHARED, u32, outcomes) B(4, READ, u32, cell_heads)           \
     B(5, READ, u32, next_candidates)
 #define ADMIT_IN_CELLS_BINDINGS(B) B(0, READ, u32, column_begins) B(1, READ, u32, buckets)      \
-    B(2, READ, u32x4, candidates) B(3, SHARED, u32, statuses) B(4, SHARED, u32, report)         \
+    B(2, READ, Candidate, candidates) B(3, SHARED, u32, statuses) B(4, SHARED, u32, report)     \
     B(5, SHARED, u32, outcomes) B(6, READ, u32, candidate_radii) B(7, READ, u32, column_of)     \
     B(8, READ, u32, row_of) B(9, READ, u32, pixel_reaches)
-#define INSERT_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32x4, candidates)              \
+#define INSERT_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, Candidate, candidates)          \
     B(2, READ, u32, statuses) B(3, WRITE, u32, grid_x) B(4, WRITE, u32, grid_y)                 \
     B(5, WRITE, u32, cell_heads) B(6, SHARED, u32, new_cells)
-#define OPEN_LINES_BINDINGS(B) B(0, WRITE, u32x2, spans) B(1, WRITE, u32, span_counts)          \
+#define OPEN_LINES_BINDINGS(B) B(0, WRITE, Span, spans) B(1, WRITE, u32, span_counts)           \
     B(2, WRITE, u32, tile_lengths)
 #define SUM_TILES_BINDINGS(B) B(0, READ, u32, tile_lengths) B(1, WRITE, u32, tile_begins)       \
     B(2, WRITE, u32, results)
 #define COLLECT_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32, grid_x)                   \
-    B(2, READ, u32, grid_y) B(3, READ, u32, new_cells) B(4, WRITE, u32x2, near)                 \
+    B(2, READ, u32, grid_y) B(3, READ, u32, new_cells) B(4, WRITE, Spot, near)                  \
     B(5, WRITE, u32, near_counts)
-#define SUBTRACT_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32x2, near)                  \
-    B(2, READ, u32, near_counts) B(3, BOTH, u32x2, spans) B(4, BOTH, u32, span_counts)          \
+#define SUBTRACT_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, Spot, near)                   \
+    B(2, READ, u32, near_counts) B(3, BOTH, Span, spans) B(4, BOTH, u32, span_counts)           \
     B(5, BOTH, u32, tile_lengths)
-#define GROW_BINDINGS(B) B(0, READ, u32, span_counts) B(1, READ, u32x2, spans)                  \
-    B(2, WRITE, u32x2, new_spans)
-#define UNFOLD_BINDINGS(B) B(0, READ, u32x2, spans) B(1, READ, u32, span_counts)                \
+#define GROW_BINDINGS(B) B(0, READ, u32, span_counts) B(1, READ, Span, spans)                   \
+    B(2, WRITE, Span, new_spans)
+#define UNFOLD_BINDINGS(B) B(0, READ, Span, spans) B(1, READ, u32, span_counts)                 \
     B(2, BOTH, u32, counts) B(3, READ, u32, sums) B(4, READ, u32, tops)                         \
-    B(5, WRITE, u32x4, boxes) B(6, SHARED, u32, report)
-#define CUT_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32x4, boxes)                      \
+    B(5, WRITE, Box, boxes) B(6, SHARED, u32, report)
+#define CUT_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, Box, boxes)                        \
     B(2, READ, u32, grid_x) B(3, READ, u32, grid_y) B(4, BOTH, u32, counts)                     \
-    B(5, BOTH, u32x2, strip_pieces) B(6, WRITE, u32, results)
+    B(5, BOTH, Span, strip_pieces) B(6, WRITE, u32, results)
 #define KEEP_BINDINGS(B) CUT_BINDINGS(B) B(7, READ, u32, sums) B(8, READ, u32, tops)            \
-    B(9, WRITE, u32x4, new_boxes)
+    B(9, WRITE, Box, new_boxes)
 #define SCAN_BINDINGS(B) B(0, BOTH, u32, counts) B(1, WRITE, u32, sums)                         \
     B(2, SHARED, u32, report)
 #define COUNT_SAMPLES_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32, outcomes)           \
     B(2, WRITE, u32, counts)
-#define LIST_SAMPLES_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32x4, candidates)        \
+#define LIST_SAMPLES_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, Candidate, candidates)    \
     B(2, READ, u32, statuses) B(3, READ, u32, outcomes) B(4, READ, u32, counts)                 \
     B(5, READ, u32, sums) B(6, READ, u32, tops) B(7, WRITE, u32, results)
-#define FIND_BIN_BEGINS_BINDINGS(B) B(0, READ, u32x4, new_boxes) B(1, SHARED, u32, report)      \
+#define FIND_BIN_BEGINS_BINDINGS(B) B(0, READ, Box, new_boxes) B(1, SHARED, u32, report)        \
     B(2, WRITE, u32, bin_begins)
-#define SUBTRACT_IN_CELLS_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32x4, candidates)   \
+#define SUBTRACT_IN_CELLS_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, Candidate, candidates) \
     B(2, READ, u32, statuses) B(3, READ, u32, column_of) B(4, READ, u32, row_of)                \
     B(5, READ, u32, row_begins) B(6, READ, u32, pixel_radii) B(7, READ, u32, pixel_reaches)     \
     B(8, READ, u32, widest_rows) B(9, SHARED, u32, widest) B(10, SHARED, u32, bits)             \
     B(11, SHARED, u32, free_lengths) B(12, READ, u32, todo) B(13, WRITE, u32, left)
 
-// Mode exact with a radius field. A box is x, width, begin, end. For each box origins[] has its
-// block and the least radius under it, with IS_EVEN if it is the only one
-// (portable/radius_field.h), or 0 until measure has looked it up. An entry of a list has x, y and
-// radius of a sample, and the number of the next entry; lists[] has the first entry for each block.
-// tree_boxes and tree_links are the nodes of plan/first_boxes.h: a link has the greatest radius,
-// next node, first block and whole. factors[MOST_CLASSES * a + b] is for samples of classes a and b
-// (sheets.h). A visitor of a block is a candidate that reaches it, and the
-// number of the next visitor. The kernel split writes borders[] and strip_radii[].
-#define LOCATE_WITH_FIELD_BINDINGS(B) B(0, READ, u32, axes) B(1, READ, u32x2, radius_bounds)    \
-    B(2, READ, u32, mask_nodes) B(3, READ, u32x4, boxes) B(4, READ, u32x2, origins)             \
-    B(5, READ, u32x4, draws) B(6, WRITE, u32x4, candidates) B(7, WRITE, u32, candidate_radii)   \
+// Mode exact with a radius field. lists[] has the first entry of each block's list, and
+// visitor_heads[] its first visitor. tree_boxes and tree_links are the nodes of plan/first_boxes.h.
+// factors[MOST_CLASSES * a + b] is for samples of classes a and b (sheets.h). The kernel split
+// writes borders[] and strip_radii[].
+#define LOCATE_WITH_FIELD_BINDINGS(B) B(0, READ, u32, axes) B(1, READ, Radii, radius_bounds)    \
+    B(2, READ, u32, mask_nodes) B(3, READ, Box, boxes) B(4, READ, Origin, origins)              \
+    B(5, READ, Draw, draws) B(6, WRITE, Candidate, candidates) B(7, WRITE, u32, candidate_radii)\
     B(8, WRITE, u32, statuses) B(9, SHARED, u32, report)
-#define SCREEN_WITH_FIELD_BINDINGS(B) B(0, READ, u32x4, candidates)                             \
-    B(1, READ, u32, candidate_radii) B(2, READ, u32, lists) B(3, READ, u32x4, entries)          \
+#define SCREEN_WITH_FIELD_BINDINGS(B) B(0, READ, Candidate, candidates)                         \
+    B(1, READ, u32, candidate_radii) B(2, READ, u32, lists) B(3, READ, Neighbour, entries)      \
     B(4, BOTH, u32, statuses) B(5, SHARED, u32, outcomes) B(6, WRITE, u32, survivors)           \
     B(7, SHARED, u32, report) B(8, READ, u32, factors) B(9, READ, u32, axes)                    \
-    B(10, READ, u32x4, ellipses)
-#define REACH_BINDINGS(B) B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii)        \
-    B(2, READ, u32, statuses) B(3, READ, u32x4, tree_boxes) B(4, READ, u32x4, tree_links)       \
-    B(5, READ, u32x2, node_of) B(6, SHARED, u32, report) B(7, SHARED, u32, visitor_heads)       \
-    B(8, WRITE, u32x2, visitors) B(9, READ, u32, survivors) B(10, READ, u32, factors)           \
-    B(11, READ, u32, axes) B(12, READ, u32x4, ellipses) B(13, READ, u32, open_parts)
-#define ADMIT_WITH_FIELD_BINDINGS(B) B(0, READ, u32x4, candidates)                              \
+    B(10, READ, Ellipse, ellipses)
+#define REACH_BINDINGS(B) B(0, READ, Candidate, candidates) B(1, READ, u32, candidate_radii)    \
+    B(2, READ, u32, statuses) B(3, READ, Box, tree_boxes) B(4, READ, Links, tree_links)         \
+    B(5, READ, BlockNode, node_of) B(6, SHARED, u32, report) B(7, SHARED, u32, visitor_heads)   \
+    B(8, WRITE, Visitor, visitors) B(9, READ, u32, survivors) B(10, READ, u32, factors)         \
+    B(11, READ, u32, axes) B(12, READ, Ellipse, ellipses) B(13, READ, u32, open_parts)
+#define ADMIT_WITH_FIELD_BINDINGS(B) B(0, READ, Candidate, candidates)                          \
     B(1, READ, u32, candidate_radii) B(2, SHARED, u32, statuses) B(3, READ, u32, visitor_heads) \
-    B(4, READ, u32x2, visitors) B(5, SHARED, u32, report) B(6, SHARED, u32, outcomes)           \
-    B(7, READ, u32, factors) B(8, READ, u32, axes) B(9, READ, u32x4, ellipses)
-#define ENLIST_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32x4, candidates)              \
+    B(4, READ, Visitor, visitors) B(5, SHARED, u32, report) B(6, SHARED, u32, outcomes)         \
+    B(7, READ, u32, factors) B(8, READ, u32, axes) B(9, READ, Ellipse, ellipses)
+#define ENLIST_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, Candidate, candidates)          \
     B(2, READ, u32, candidate_radii) B(3, READ, u32, statuses) B(4, READ, u32, visitor_heads)   \
-    B(5, READ, u32x2, visitors) B(6, WRITE, u32x4, entries) B(7, BOTH, u32, lists)              \
-    B(8, READ, u32x2, node_of) B(9, READ, u32x4, tree_boxes) B(10, READ, u32x4, tree_links)     \
+    B(5, READ, Visitor, visitors) B(6, WRITE, Neighbour, entries) B(7, BOTH, u32, lists)        \
+    B(8, READ, BlockNode, node_of) B(9, READ, Box, tree_boxes) B(10, READ, Links, tree_links)   \
     B(11, READ, u32, factors) B(12, SHARED, u32, open_parts)
 #define SPLIT_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32, axes)                       \
-    B(2, READ, u32x2, radius_bounds) B(3, READ, u32, mask_nodes) B(4, READ, u32x4, boxes)       \
-    B(5, READ, u32x2, origins) B(6, WRITE, u32x4, borders) B(7, WRITE, u32x4, strip_radii)
-#define CUT_WITH_FIELD_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32x4, boxes)           \
-    B(2, READ, u32x2, origins) B(3, READ, u32, lists) B(4, READ, u32x4, entries)                \
-    B(5, READ, u32x4, borders) B(6, READ, u32x4, strip_radii) B(7, BOTH, u32, counts)           \
-    B(8, BOTH, u32x2, strip_pieces) B(9, WRITE, u32x2, new_origins) B(10, READ, u32, factors)   \
-    B(11, READ, u32, axes) B(12, READ, u32x4, ellipses)
+    B(2, READ, Radii, radius_bounds) B(3, READ, u32, mask_nodes) B(4, READ, Box, boxes)         \
+    B(5, READ, Origin, origins) B(6, WRITE, Borders, borders) B(7, WRITE, StripRadii, strip_radii)
+#define CUT_WITH_FIELD_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, Box, boxes)             \
+    B(2, READ, Origin, origins) B(3, READ, u32, lists) B(4, READ, Neighbour, entries)           \
+    B(5, READ, Borders, borders) B(6, READ, StripRadii, strip_radii) B(7, BOTH, u32, counts)    \
+    B(8, BOTH, Span, strip_pieces) B(9, WRITE, Origin, new_origins) B(10, READ, u32, factors)   \
+    B(11, READ, u32, axes) B(12, READ, Ellipse, ellipses)
 #define KEEP_WITH_FIELD_BINDINGS(B) CUT_WITH_FIELD_BINDINGS(B) B(13, READ, u32, sums)           \
-    B(14, READ, u32, tops) B(15, WRITE, u32x4, new_boxes)
+    B(14, READ, u32, tops) B(15, WRITE, Box, new_boxes)
 #define MEASURE_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32, axes)                     \
-    B(2, READ, u32x2, radius_bounds) B(3, READ, u32, mask_nodes) B(4, READ, u32x4, new_boxes)   \
-    B(5, BOTH, u32x2, new_origins) \
+    B(2, READ, Radii, radius_bounds) B(3, READ, u32, mask_nodes) B(4, READ, Box, new_boxes)     \
+    B(5, BOTH, Origin, new_origins)                                                             \
     B(6, WRITE, u32, results)
 
 // All buffers. A kernel has the buffers that its bindings name.
-#define LACUNA_BUFFERS(B)                                                                         \
-    B(u32x4, draws) B(u32x4, located) B(u32, column_begins) B(u32, buckets) B(u32x4, candidates)  \
-    B(u32, statuses) B(u32, report) B(u32, outcomes) B(u32, results) B(u32, free_lengths)     \
-    B(u32x2, spans) B(u32x2, new_spans) B(u32, span_counts) B(u32, tile_lengths) \
-    B(u32, tile_begins) B(u32, cell_heads) B(u32, next_candidates) B(u32, new_cells) B(u32x2, near) B(u32, near_counts) B(u32, grid_x) B(u32, grid_y) B(u32x4, boxes)              \
-    B(u32x4, new_boxes) B(u32, counts) B(u32, sums) B(u32, tops) B(u32x2, strip_pieces)          \
-    B(u32, bin_begins) B(u32, bits) B(u32, widest) B(u32, widest_rows) B(u32, column_of)          \
-    B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii) B(u32, pixel_reaches)                   \
-    B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, axes)             \
-    B(u32x2, radius_bounds) B(u32, mask_nodes) B(u32x2, origins) B(u32x2, new_origins)            \
-    B(u32x4, borders) B(u32x4, strip_radii) B(u32x4, tree_boxes) B(u32x4, tree_links) B(u32x2, node_of) \
-    B(u32, visitor_heads) B(u32x2, visitors) B(u32, lists)                  \
-    B(u32x4, entries) B(u32, survivors) B(u32, factors) \
-    B(u32x4, ellipses) B(u32, open_parts)                                                         \
+#define LACUNA_BUFFERS(B)                                                                       \
+    B(Draw, draws) B(Candidate, located) B(u32, column_begins) B(u32, buckets)                  \
+    B(Candidate, candidates) B(u32, statuses) B(u32, report) B(u32, outcomes) B(u32, results)   \
+    B(u32, free_lengths) B(Span, spans) B(Span, new_spans) B(u32, span_counts)                  \
+    B(u32, tile_lengths) B(u32, tile_begins) B(u32, cell_heads) B(u32, next_candidates)         \
+    B(u32, new_cells) B(Spot, near) B(u32, near_counts) B(u32, grid_x) B(u32, grid_y)           \
+    B(Box, boxes) B(Box, new_boxes) B(u32, counts) B(u32, sums) B(u32, tops)                    \
+    B(Span, strip_pieces) B(u32, bin_begins) B(u32, bits) B(u32, widest) B(u32, widest_rows)    \
+    B(u32, column_of) B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii)                     \
+    B(u32, pixel_reaches) B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, axes)        \
+    B(Radii, radius_bounds) B(u32, mask_nodes) B(Origin, origins) B(Origin, new_origins)        \
+    B(Borders, borders) B(StripRadii, strip_radii) B(Box, tree_boxes) B(Links, tree_links)      \
+    B(BlockNode, node_of) B(u32, visitor_heads) B(Visitor, visitors) B(u32, lists)              \
+    B(Neighbour, entries) B(u32, survivors) B(u32, factors) B(Ellipse, ellipses)                \
+    B(u32, open_parts)                                                                          \
     LACUNA_RELAX_BUFFERS(B)
 
 // All kernels: name, arguments, bindings.
 #define LACUNA_KERNELS(K)                                             \
-    K(locate, SlabArguments, LOCATE_BINDINGS)                         \
-    K(locate_in_boxes, DrawArguments, LOCATE_IN_BOXES_BINDINGS)       \
-    K(locate_in_cells, SlabArguments, LOCATE_IN_CELLS_BINDINGS)       \
-    K(sort_columns, ColumnArguments, SORT_COLUMNS_BINDINGS)           \
-    K(look_up_radii, DrawArguments, LOOK_UP_RADII_BINDINGS)           \
-    K(screen, DrawArguments, SCREEN_BINDINGS)                         \
-    K(screen_in_cells, DrawArguments, SCREEN_IN_CELLS_BINDINGS)       \
-    K(admit, DrawArguments, ADMIT_BINDINGS)                           \
-    K(admit_in_cells, DrawArguments, ADMIT_IN_CELLS_BINDINGS)         \
-    K(insert, DrawArguments, INSERT_BINDINGS)                         \
-    K(collect, SlabArguments, COLLECT_BINDINGS)                       \
-    K(subtract, SlabArguments, SUBTRACT_BINDINGS)                     \
-    K(open_lines, SlabArguments, OPEN_LINES_BINDINGS)                 \
-    K(sum_tiles, SlabArguments, SUM_TILES_BINDINGS)                   \
-    K(grow, SlabArguments, GROW_BINDINGS)                             \
-    K(unfold, SlabArguments, UNFOLD_BINDINGS)                         \
-    K(cut, StripArguments, CUT_BINDINGS)                              \
-    K(keep, StripArguments, KEEP_BINDINGS)                            \
-    K(scan, ScanArguments, SCAN_BINDINGS)                             \
-    K(count_samples, SampleArguments, COUNT_SAMPLES_BINDINGS)         \
-    K(list_samples, SampleArguments, LIST_SAMPLES_BINDINGS)           \
-    K(find_bin_begins, ColumnArguments, FIND_BIN_BEGINS_BINDINGS) \
-    K(subtract_in_cells, DrawArguments, SUBTRACT_IN_CELLS_BINDINGS)   \
-    K(locate_with_field, DrawArguments, LOCATE_WITH_FIELD_BINDINGS)     \
-    K(screen_with_field, DrawArguments, SCREEN_WITH_FIELD_BINDINGS)     \
-    K(reach, DrawArguments, REACH_BINDINGS)                           \
-    K(admit_with_field, DrawArguments, ADMIT_WITH_FIELD_BINDINGS)       \
-    K(enlist, DrawArguments, ENLIST_BINDINGS)                         \
-    K(split, StripArguments, SPLIT_BINDINGS)                          \
-    K(cut_with_field, StripArguments, CUT_WITH_FIELD_BINDINGS)        \
-    K(keep_with_field, StripArguments, KEEP_WITH_FIELD_BINDINGS)      \
-    K(measure, StripArguments, MEASURE_BINDINGS)                      \
+    K(locate, SlabArguments, LOCATE_BINDINGS)                                                   \
+    K(locate_in_boxes, DrawArguments, LOCATE_IN_BOXES_BINDINGS)                                 \
+    K(locate_in_cells, SlabArguments, LOCATE_IN_CELLS_BINDINGS)                                 \
+    K(sort_columns, ColumnArguments, SORT_COLUMNS_BINDINGS)                                     \
+    K(look_up_radii, DrawArguments, LOOK_UP_RADII_BINDINGS)                                     \
+    K(screen, DrawArguments, SCREEN_BINDINGS)                                                   \
+    K(screen_in_cells, DrawArguments, SCREEN_IN_CELLS_BINDINGS)                                 \
+    K(admit, DrawArguments, ADMIT_BINDINGS)                                                     \
+    K(admit_in_cells, DrawArguments, ADMIT_IN_CELLS_BINDINGS)                                   \
+    K(insert, DrawArguments, INSERT_BINDINGS)                                                   \
+    K(collect, SlabArguments, COLLECT_BINDINGS)                                                 \
+    K(subtract, SlabArguments, SUBTRACT_BINDINGS)                                               \
+    K(open_lines, SlabArguments, OPEN_LINES_BINDINGS)                                           \
+    K(sum_tiles, SlabArguments, SUM_TILES_BINDINGS)                                             \
+    K(grow, SlabArguments, GROW_BINDINGS)                                                       \
+    K(unfold, SlabArguments, UNFOLD_BINDINGS)                                                   \
+    K(cut, StripArguments, CUT_BINDINGS)                                                        \
+    K(keep, StripArguments, KEEP_BINDINGS)                                                      \
+    K(scan, ScanArguments, SCAN_BINDINGS)                                                       \
+    K(count_samples, SampleArguments, COUNT_SAMPLES_BINDINGS)                                   \
+    K(list_samples, SampleArguments, LIST_SAMPLES_BINDINGS)                                     \
+    K(find_bin_begins, ColumnArguments, FIND_BIN_BEGINS_BINDINGS)                               \
+    K(subtract_in_cells, DrawArguments, SUBTRACT_IN_CELLS_BINDINGS)                             \
+    K(locate_with_field, DrawArguments, LOCATE_WITH_FIELD_BINDINGS)                             \
+    K(screen_with_field, DrawArguments, SCREEN_WITH_FIELD_BINDINGS)                             \
+    K(reach, DrawArguments, REACH_BINDINGS)                                                     \
+    K(admit_with_field, DrawArguments, ADMIT_WITH_FIELD_BINDINGS)                               \
+    K(enlist, DrawArguments, ENLIST_BINDINGS)                                                   \
+    K(split, StripArguments, SPLIT_BINDINGS)                                                    \
+    K(cut_with_field, StripArguments, CUT_WITH_FIELD_BINDINGS)                                  \
+    K(keep_with_field, StripArguments, KEEP_WITH_FIELD_BINDINGS)                                \
+    K(measure, StripArguments, MEASURE_BINDINGS)                                                \
     LACUNA_RELAX_KERNELS(K)
 // clang-format on
 

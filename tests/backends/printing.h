@@ -17,7 +17,7 @@ inline std::ostream& operator<<(std::ostream& out, const Box& box) {
     return out << box.x << "+" << box.width << ": " << box.begin << ".." << box.end;
 }
 inline std::ostream& operator<<(std::ostream& out, const Candidate& c) {
-    return out << "(" << c.x << ", " << c.y << "), line " << c.line << ", draw " << c.order;
+    return out << "(" << c.x << ", " << c.y << "), home " << c.home << ", draw " << c.order;
 }
 
 }  // namespace lacuna

@@ -73,7 +73,7 @@ inline void set_candidates(const Plan& plan, std::vector<Candidate> candidates, 
                            std::uint32_t status = STATUS_UNDECIDED) {
     const std::uint32_t columns = count_columns(plan);
     const auto key = [&](const Candidate& c) {
-        return std::tuple(portable::column_of_line(c.line, plan.lines, columns), c.y, c.order);
+        return std::tuple(portable::column_of_line(c.home, plan.lines, columns), c.y, c.order);
     };
     std::sort(candidates.begin(), candidates.end(),
               [&](const Candidate& a, const Candidate& b) { return key(a) < key(b); });

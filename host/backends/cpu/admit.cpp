@@ -31,7 +31,7 @@ struct OnLines {
           columns(portable::stretch_around(column, 1, round.columns, round.plan.period_x)) {}
     // A candidate counts at its line's x: only the chord on that line matters.
     Sample at(std::uint32_t i) const {
-        return {round.plan.centre_of_line(round.candidates[i].line), round.candidates[i].y};
+        return {round.plan.centre_of_line(round.candidates[i].home), round.candidates[i].y};
     }
     template <typename Visit>
     bool any_column_near(std::uint32_t, Visit visit) const {

@@ -61,8 +61,8 @@ public:
     void restore(const Snapshot& snapshot) override {
         index_.restore(snapshot);
         round.restore(snapshot, [&](Candidate& candidate) {
-            candidate.line = index_.line_at(candidate.x, candidate.y);
-            return index_.column_of(candidate.line);
+            candidate.home = index_.line_at(candidate.x, candidate.y);
+            return index_.column_of(candidate.home);
         });
         boxes_.assign(round.columns, {});
         for (const Box& box : snapshot.boxes) {

@@ -106,7 +106,7 @@ public:
     }
     void insert(NeighbourLists& lists, const Candidate& sample) const {
         // A candidate that the slab could not decide may reach beyond the zone.
-        lists.insert(lists.sized(sample), sample.line, may_settle(sample) ? zone_ : nullptr);
+        lists.insert(lists.sized(sample), sample.home, may_settle(sample) ? zone_ : nullptr);
     }
     void mark(NeighbourLists& lists, const Candidate& candidate) const {
         lists.mark(lists.sized(candidate), number_);

@@ -35,7 +35,7 @@ public:
     bool admit() override { return admit_on_lines(*this, workers_); }
     void subtract() override { lines_.subtract(round, workers_, free_lengths); }
     bool is_covered(const Candidate& candidate) const override {
-        const std::span<const Span> spans = lines_.spans_of(candidate.line);
+        const std::span<const Span> spans = lines_.spans_of(candidate.home);
         const auto above = std::partition_point(
             spans.begin(), spans.end(), [&](const Span& span) { return span.end <= candidate.y; });
         return above == spans.end() || above->begin > candidate.y;

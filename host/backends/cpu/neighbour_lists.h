@@ -79,8 +79,8 @@ public:
     // the smaller of their radii.
     bool is_covered(const Candidate& candidate) const {
         const auto [x, y, radius] = sized(candidate);
-        const Few& few = few_[candidate.line];
-        const SizedSpan near = few.is_long ? long_part(candidate.line, {x, y}) : few.span();
+        const Few& few = few_[candidate.home];
+        const SizedSpan near = few.is_long ? long_part(candidate.home, {x, y}) : few.span();
         if (radius == 0) return true;
         if (sheets_.are_several()) return is_any_seen_closer(near, {x, y}, radius);
         if (radius_field_.has_ellipses()) return is_any_ellipse_closer(near, {x, y}, radius);
@@ -90,11 +90,11 @@ public:
     // Prefetch what is_covered and insert read about a candidate: its list and the index of the
     // tree node that insert begins with, then the node.
     void fetch(const Candidate& later) const {
-        fetch_list(later.line);
-        __builtin_prefetch(&first_.blocks[later.line].node);
+        fetch_list(later.home);
+        __builtin_prefetch(&first_.blocks[later.home].node);
     }
     void fetch_sooner(const Candidate& later) const {
-        const FirstBoxes::Node* const node = &first_.nodes[first_.blocks[later.line].node];
+        const FirstBoxes::Node* const node = &first_.nodes[first_.blocks[later.home].node];
         __builtin_prefetch(node - 2);
         __builtin_prefetch(node);
         __builtin_prefetch(node + 2);
@@ -110,11 +110,11 @@ public:
     // run in parallel for samples that reach nothing outside of their zone (FirstBoxes::Zone),
     // which then is `within`.
     void insert(const Sized& sample, std::uint32_t block, const FirstBoxes::Zone* within);
-    void insert(const Candidate& candidate) { insert(sized(candidate), candidate.line, nullptr); }
+    void insert(const Candidate& candidate) { insert(sized(candidate), candidate.home, nullptr); }
     // Marks the blocks of a zone that the candidate reaches; may run in parallel for different
     // zones. All share one mark of the block, because in a crowded round they are thousands.
     void mark(const Sized& candidate, std::uint32_t zone);
-    bool has_mark_near(const Candidate& at) const { return is_marked(at.line); }
+    bool has_mark_near(const Candidate& at) const { return is_marked(at.home); }
     void unmark_all(std::span<const Candidate>, std::span<const std::uint32_t>);
 
     // Sets Snapshot::samples, without `left_out`.

@@ -28,7 +28,7 @@ void SortedBins::set_undecided(std::uint32_t column) {
 // Snapshots have the candidates in the order that sort_column gives them.
 void SortedBins::restore(const Snapshot& snapshot) {
     round.restore(snapshot, [&](const Candidate& candidate) {
-        return portable::column_of_line(candidate.line, round.plan.lines, round.columns);
+        return portable::column_of_line(candidate.home, round.plan.lines, round.columns);
     });
     make_room(round.candidates.size());
     for (std::uint32_t column = 0; column < round.columns; ++column) sort_column(column);

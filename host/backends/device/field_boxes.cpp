@@ -94,7 +94,7 @@ public:
     void put_candidates(std::vector<Candidate>& candidates) override {
         std::vector<std::uint32_t> radii;
         for (Candidate& candidate : candidates) {
-            candidate.line = block_at(first_, candidate.x, candidate.y);
+            candidate.home = block_at(first_, candidate.x, candidate.y);
             radii.push_back(round_.plan.field().radius_field->radius_at(candidate.x, candidate.y));
         }
         round_.put_in_room<std::uint32_t>(round_.memory.candidate_radii, radii);

@@ -13,7 +13,7 @@ BODY u32 lower_bound(MEMORY const u32 begin, const u32 end, const u32 low, const
 // The status of candidate i as far as it can be decided now, plus four times the number of others
 // looked at. Items of one pass read statuses that other items are writing; whatever they read, a
 // decided status is final.
-BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate) {
+BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const Candidate candidate) {
     const u32 height = a.g.height;
     const u32 x = place_of(a, candidate);
     const u32 reach = reach_of(ON a, candidate);
@@ -34,9 +34,9 @@ BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate
             const u32 from = low >= high ? end : lower_bound(ON begin, end, low, height);
             u32 j = from;
             for (; j < end; ++j) {
-                const u32x4 other = AT(candidates, j);
+                const Candidate other = LOAD(candidates, j);
                 if (other.y >= high) break;
-                if (other.y < low || other.w >= candidate.w) continue;
+                if (other.y < low || other.order >= candidate.order) continue;
                 if (!are_closer(other.x, other.y, x, candidate.y, a.g.period_x, a.g.period_y,
                                 limit_of(ON a, i, j)))
                     continue;

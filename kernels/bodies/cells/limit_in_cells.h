@@ -3,15 +3,15 @@
 #include "portable/column.h"
 #include "portable/metric.h"
 
-BODY u32 place_of(const DrawArguments a, const u32x4 candidate) {
+BODY u32 place_of(const DrawArguments a, const Candidate candidate) {
     return candidate.x;
 }
 
-BODY u32 reach_of(MEMORY const DrawArguments a, const u32x4 candidate) {
+BODY u32 reach_of(MEMORY const DrawArguments a, const Candidate candidate) {
     return AT(pixel_reaches, AT(column_of, candidate.x) * a.rows + AT(row_of, candidate.y));
 }
 
-BODY Stretch columns_near(const DrawArguments a, const u32x4 candidate, const u32 reach) {
+BODY Stretch columns_near(const DrawArguments a, const Candidate candidate, const u32 reach) {
     const Stretch lines = stretch_around(candidate.x, reach, a.g.lines, a.g.period_x);
     return columns_of_stretch(lines, a.g.lines, a.g.columns);
 }

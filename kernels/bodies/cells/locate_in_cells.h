@@ -2,7 +2,7 @@
 // its rank.
 #include "portable/bits.h"
 
-// A draw is line, rank, offset, order. A line's draws ascend in rank.
+// A draw's bin is a line. A line's draws ascend in rank.
 BODY void serve_locate_in_cells(MEMORY const SlabArguments a, const u32 item) {
     const u32 begin = a.first_draw + item * a.chunk;
     const u32 end = min(begin + a.chunk, a.end_draw);
@@ -11,22 +11,23 @@ BODY void serve_locate_in_cells(MEMORY const SlabArguments a, const u32 item) {
     u32 passed = 0u;  // bits in the words below it
     u32 word = 0u;
     for (u32 i = begin; i < end; ++i) {
-        const u32x4 draw = AT(draws, i);
-        if (draw.x != line) {
-            line = draw.x;
+        const Draw draw = LOAD(draws, i);
+        if (draw.bin != line) {
+            line = draw.bin;
             number = 0u;
             passed = 0u;
             word = AT(bits, line * a.g.capacity);
         }
-        while (draw.y - passed >= count_bits(word)) {
+        while (draw.rank - passed >= count_bits(word)) {
             passed += count_bits(word);
             ++number;
             word = AT(bits, line * a.g.capacity + number);
         }
 
-        // A candidate is x, y, line, order.
-        AT(located, i) = U32X4(line * a.g.strip_width + draw.z,
-                               number * 32u + bit_of_rank(word, draw.y - passed), line, draw.w);
+        const Candidate candidate = {line * a.g.strip_width + draw.offset,
+                                     number * 32u + bit_of_rank(word, draw.rank - passed), line,
+                                     draw.order};
+        STORE(located, i, candidate);
     }
     CHECK_TURNS(a.g.height, FAILED_LOCATE);
 }

@@ -4,8 +4,8 @@
 // If a bucket has more candidates than this, sorting begins with long steps.
 #define FEW 16u
 
-BODY bool comes_before(const u32x4 a, const u32x4 b) {
-    return a.y < b.y || (a.y == b.y && a.w < b.w);
+BODY bool comes_before(const Candidate a, const Candidate b) {
+    return a.y < b.y || (a.y == b.y && a.order < b.order);
 }
 
 // Sorts the candidates of one column by y, and by order if y is equal. They go into as many buckets
@@ -23,7 +23,7 @@ BODY void serve_sort_columns(MEMORY const ColumnArguments a, const u32 column) {
         AT(statuses, i) = STATUS_UNDECIDED;
     }
     for (u32 i = begin; i < end; ++i)
-        ++AT(buckets, begin + bucket_of(AT(located, i).y, count, a.g.height));
+        ++AT(buckets, begin + bucket_of(LOAD(located, i).y, count, a.g.height));
 
     // Find the beginning of each bucket, and fill the buckets.
     u32 next = begin;
@@ -35,11 +35,11 @@ BODY void serve_sort_columns(MEMORY const ColumnArguments a, const u32 column) {
         largest = max(largest, in_bucket);
     }
     for (u32 i = begin; i < end; ++i) {
-        const u32x4 candidate = AT(located, i);
+        const Candidate candidate = LOAD(located, i);
         const u32 bucket = begin + bucket_of(candidate.y, count, a.g.height);
         const u32 to = AT(buckets, bucket);
         AT(buckets, bucket) = to + 1u;
-        AT(candidates, to) = candidate;
+        STORE(candidates, to, candidate);
     }
 
     // Move each candidate down to its position: a few steps if few share a bucket. If many do, long
@@ -48,13 +48,13 @@ BODY void serve_sort_columns(MEMORY const ColumnArguments a, const u32 column) {
     do {
         step = max(step * 5u / 11u, 1u);
         for (u32 i = begin + step; i < end; ++i) {
-            const u32x4 moved = AT(candidates, i);
+            const Candidate moved = LOAD(candidates, i);
             u32 to = i;
-            while (to >= begin + step && comes_before(moved, AT(candidates, to - step))) {
-                AT(candidates, to) = AT(candidates, to - step);
+            while (to >= begin + step && comes_before(moved, LOAD(candidates, to - step))) {
+                STORE(candidates, to, LOAD(candidates, to - step));
                 to -= step;
             }
-            if (to < i) AT(candidates, to) = moved;
+            if (to < i) STORE(candidates, to, moved);
         }
     } while (step > 1u);
     CHECK_TURNS(a.g.height, FAILED_SORT_COLUMNS);

@@ -17,15 +17,15 @@ LACUNA_TYPEDEF(Cut)
 
 // The heights in [begin, end), all under one pixel, that a sample at height y blocks. Mostly these
 // are all or none, which squared distances show without a root.
-BODY u32x2 blocked_of_run(const u32 metric, const Cut cut, const u32 pixel, const i64 y,
-                          const u32 begin, const u32 end) {
+BODY Span blocked_of_run(const u32 metric, const Cut cut, const u32 pixel, const i64 y,
+                         const u32 begin, const u32 end) {
     const u64 limit = metric_squared(twice_metric_radius(metric, cut.radius, pixel));
     const u32 farthest = farthest_distance(y, to_i64(begin), to_i64(end));
     const u32 nearest = nearest_distance(y, to_i64(begin), to_i64(end));
-    if (squared_length(cut.dx, farthest) < limit) return U32X2(begin, end);
-    if (squared_length(cut.dx, nearest) >= limit) return U32X2(end, end);
+    if (squared_length(cut.dx, farthest) < limit) return span_of(begin, end);
+    if (squared_length(cut.dx, nearest) >= limit) return span_of(end, end);
     const i64 reach = to_i64(chord_reach(cut.dx, limit));
-    return U32X2(to_u32(max(to_i64(begin), y - reach + 1)), to_u32(min(to_i64(end), y + reach)));
+    return span_of(to_u32(max(to_i64(begin), y - reach + 1)), to_u32(min(to_i64(end), y + reach)));
 }
 
 // Blocks the points within `chord` of height y that the sample takes, and returns their number. It
@@ -47,9 +47,10 @@ BODY u32 block_points(MEMORY const DrawArguments a, const Cut cut, const i64 y, 
             const u32 run_end = min(AT(row_begins, row + 1u), word * 32u + 32u);
             const u32 run = open & word_mask(word, first, run_end);
             open = open ^ run;
-            const u32x2 taken = blocked_of_run(
-                a.metric, cut, AT(pixel_radii, cut.pixel_begin + row), y, first, run_end);
-            if (taken.x < taken.y) mask = mask | (run & word_mask(word, taken.x, taken.y));
+            const Span taken = blocked_of_run(a.metric, cut, AT(pixel_radii, cut.pixel_begin + row),
+                                              y, first, run_end);
+            if (taken.begin < taken.end)
+                mask = mask | (run & word_mask(word, taken.begin, taken.end));
         }
         // Several items may clear one word at a time. Each counts the bits that were still set.
         if (mask != 0u) blocked += count_bits(ATOMIC_AND(bits, index, ~mask) & mask);
@@ -95,7 +96,7 @@ BODY u32 half_chord(MEMORY const DrawArguments a, const Cut cut, const u32 reach
 }
 
 // Serves one slice of the lines near a sample.
-BODY void serve_sample(MEMORY const DrawArguments a, const u32x4 admitted, const u32 pixel,
+BODY void serve_sample(MEMORY const DrawArguments a, const Candidate admitted, const u32 pixel,
                        const u32 slice) {
     const u32 reach = AT(pixel_reaches, pixel);
     const Stretch lines = stretch_around(admitted.x, reach, a.g.lines, a.g.period_x);
@@ -125,7 +126,7 @@ BODY void serve_subtract_in_cells(MEMORY const DrawArguments a, const u32 item) 
     for (u32 k = begin; k < end; ++k) {
         const u32 i = a.is_listed != 0u ? AT(todo, k) : k;
         if (AT(statuses, i) != STATUS_ADMITTED) continue;
-        const u32x4 admitted = AT(candidates, i);
+        const Candidate admitted = LOAD(candidates, i);
         const u32 pixel = AT(column_of, admitted.x) * a.rows + AT(row_of, admitted.y);
         if (AT(pixel_reaches, pixel) <= a.most_reach)
             serve_sample(ON a, admitted, pixel, item % a.slices);

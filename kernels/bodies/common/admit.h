@@ -19,7 +19,7 @@ BODY u32 decide_all(MEMORY const DrawArguments a, const u32 begin, const u32 end
         while (i < end && LOOK_AT(statuses, i) != STATUS_UNDECIDED) ++i;
         if (i == end) break;
         if (looks > MOST_RIVALS) return left + 1u;
-        const u32x4 candidate = AT(candidates, i);
+        const Candidate candidate = LOAD(candidates, i);
         const u32 decided = decide(ON a, i, candidate);
         const u32 status = decided % 4u;
         looks += decided / 4u;
@@ -29,7 +29,7 @@ BODY u32 decide_all(MEMORY const DrawArguments a, const u32 begin, const u32 end
         }
         ATOMIC_SET(statuses, i, status);
         if (status == STATUS_ADMITTED)
-            ATOMIC_OR(outcomes, candidate.w / 32u, 1u << candidate.w % 32u);
+            ATOMIC_OR(outcomes, candidate.order / 32u, 1u << candidate.order % 32u);
     }
     return left;
 }

@@ -1,10 +1,11 @@
 // Names for constructs that OpenCL C and GLSL spell differently, defined for both.
 //
 // A body is the loop of one kernel, written once. It uses the kernel's buffers by name:
-// AT(statuses, i) is a word of the buffer `statuses`. A function that uses buffers has MEMORY
-// before its parameters and is called with ON before its arguments: in OpenCL they pass a struct of
-// pointers, in GLSL they are empty. KERNEL comes first: it defines the kernel, which calls
-// serve(arguments, item), and in GLSL its buffers.
+// AT(statuses, i) is a word of the buffer `statuses`; LOAD(draws, i) and STORE(boxes, i, box)
+// are for buffers whose elements have several words (portable/elements.h). A function that uses
+// buffers has MEMORY before its parameters and is called with ON before its arguments: in OpenCL
+// they pass a struct of pointers, in GLSL they are empty. KERNEL comes first: it defines the
+// kernel, which calls serve(arguments, item), and in GLSL its buffers.
 #ifndef LACUNA_BODIES_PRELUDE_H
 #define LACUNA_BODIES_PRELUDE_H
 #ifndef __OPENCL_C_VERSION__
@@ -16,11 +17,6 @@
 #include "portable/status.h"
 
 #if defined(__OPENCL_C_VERSION__)
-typedef uint2 u32x2;
-typedef uint4 u32x4;
-#define U32X2(x, y) (uint2)((x), (y))
-#define U32X4(x, y, z, w) (uint4)((x), (y), (z), (w))
-
 #define LACUNA_MEMBER(type, name) global type* name;
 typedef struct Memory {
     LACUNA_BUFFERS(LACUNA_MEMBER)
@@ -29,6 +25,8 @@ typedef struct Memory {
 #define MEMORY const Memory memory,
 #define ON memory,
 #define AT(name, i) memory.name[i]
+#define LOAD(name, i) memory.name[i]
+#define STORE(name, i, element) memory.name[i] = (element)
 // Reads a word that other items may change at the same time, if an old value is good enough.
 // Oclgrind reports a race unless the read is atomic, which makes a verb up to three times as slow.
 #if defined(LACUNA_ATOMIC_LOOKS)
@@ -53,15 +51,12 @@ typedef struct Memory {
     }
 
 #else  // GLSL; glslang, too, pastes tokens with ##
-#define u32x2 uvec2
-#define u32x4 uvec4
-#define U32X2(x, y) uvec2(x, y)
-#define U32X4(x, y, z, w) uvec4(x, y, z, w)
-
 #define BODY
 #define MEMORY
 #define ON
 #define AT(name, i) name[i]
+#define LOAD(name, i) element_of(name[i])
+#define STORE(name, i, element) name[i] = words_of(element)
 #define LOOK_AT(name, i) name[i]
 #define ATOMIC_ADD(name, i, value) atomicAdd(name[i], value)
 #define ATOMIC_AND(name, i, value) atomicAnd(name[i], value)
@@ -75,7 +70,7 @@ typedef struct Memory {
 #define SHARED coherent restrict
 #define LACUNA_LAYOUT(number, access, type, name)            \
     layout(binding = number) access buffer Binding##number { \
-        type name[];                                         \
+        WordsOf##type name[];                                \
     };
 #define KERNEL(name, serve, Arguments, LIST)                              \
     layout(local_size_x_id = 0) in;                                       \

@@ -3,14 +3,14 @@
 #include "bodies/exact/ellipses.h"
 
 BODY bool is_covered(MEMORY const DrawArguments a, const u32 i) {
-    const u32x4 candidate = AT(candidates, i);
+    const Candidate candidate = LOAD(candidates, i);
     const u32 radius = AT(candidate_radii, i);
     if (radius == 0u) return true;
     const Sized one = {candidate.x, candidate.y, radius};
-    for (u32 number = AT(lists, candidate.z); number != NO_SAMPLE;) {
-        const u32x4 entry = AT(entries, number);
-        if (are_in_conflict(ON a.g, entry.x, entry.y, entry.z, one)) return true;
-        number = entry.w;
+    for (u32 number = AT(lists, candidate.home); number != NO_SAMPLE;) {
+        const Neighbour entry = LOAD(entries, number);
+        if (are_in_conflict(ON a.g, entry.x, entry.y, entry.radius, one)) return true;
+        number = entry.next;
     }
     return false;
 }

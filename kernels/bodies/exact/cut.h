@@ -8,25 +8,25 @@ BODY void serve_cut(MEMORY const StripArguments a, const u32 item) {
     if (AT(report, a.last_pass) != 0u) return;
     const u32 end_box = min((item + 1u) * a.chunk, a.boxes);
     for (u32 number = item * a.chunk; number < end_box; ++number) {
-        const Box box = box_at(ON a, number);
+        const HalvedBox box = box_at(ON a, number);
         const bool is_halo = box.whole.at.x - a.own_begin >= a.own_width;
         const Near near = near_of(ON a, number, box);
         u32 total = 0u;
         for (u32 k = 0u; k < 1u << a.strip_bits; ++k) {
             const Strip strip = strip_of(a, box, k);
-            Pieces pieces = {strip.at.z, k == 0u ? strip.at.w : strip.at.z, 0u};
+            Pieces pieces = {strip.at.begin, k == 0u ? strip.at.end : strip.at.begin, 0u};
             if (!is_halo) pieces = cut_strip(ON a, near, strip);
             u32 count = 0u;
-            u32x2 first = U32X2(0u, 0u);
-            u32x2 piece = U32X2(pieces.low, pieces.low);
-            while (piece.y < pieces.high) {
-                piece = next_piece(ON a, near, strip, pieces, piece.y);
-                if (piece.x == piece.y) break;
+            Span first = span_of(0u, 0u);
+            Span piece = span_of(pieces.low, pieces.low);
+            while (piece.end < pieces.high) {
+                piece = next_piece(ON a, near, strip, pieces, piece.end);
+                if (piece.begin == piece.end) break;
                 if (count == 0u) first = piece;
                 ++count;
             }
-            AT(strip_pieces, (number << a.strip_bits) + k) =
-                U32X2(first.x, count > 1u ? NO_SAMPLE : first.y);
+            STORE(strip_pieces, (number << a.strip_bits) + k,
+                  span_of(first.begin, count > 1u ? NO_SAMPLE : first.end));
             total += count;
         }
         AT(counts, number) = total;

@@ -3,20 +3,20 @@
 #include "bodies/exact/ellipses.h"
 
 // Returns what decide.h returns.
-BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate) {
+BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const Candidate candidate) {
     const Sized one = {candidate.x, candidate.y, AT(candidate_radii, i)};
     bool waits = false;
     u32 looks = 0u;
-    u32 number = AT(visitor_heads, candidate.z);
+    u32 number = AT(visitor_heads, candidate.home);
     while (number != NO_SAMPLE) {
-        const u32x2 visitor = AT(visitors, number);
-        number = visitor.y;
+        const Visitor visitor = LOAD(visitors, number);
+        number = visitor.next;
         ++looks;
-        const u32x4 other = AT(candidates, visitor.x);
-        if (other.w >= candidate.w) continue;
-        const u32 radius = AT(candidate_radii, visitor.x);
+        const Candidate other = LOAD(candidates, visitor.candidate);
+        if (other.order >= candidate.order) continue;
+        const u32 radius = AT(candidate_radii, visitor.candidate);
         if (!are_in_conflict(ON a.g, other.x, other.y, radius, one)) continue;
-        const u32 status = ATOMIC_OR(statuses, visitor.x, 0u);
+        const u32 status = ATOMIC_OR(statuses, visitor.candidate, 0u);
         if (status == STATUS_ADMITTED) return STATUS_REJECTED + 4u * looks;
         waits = waits || status == STATUS_UNDECIDED;
     }

@@ -9,9 +9,7 @@
 BODY Ellipse ellipse_at(MEMORY const u32 x, const u32 y) {
     const Grid field = grid_of(ON COLUMNS_OF_FIELD);
     const u32 pixel = pixel_of(field.columns, x) * field.rows.pixels + pixel_of(field.rows, y);
-    const u32x4 words = AT(ellipses, pixel);
-    const Ellipse ellipse = {words.x, words.y, words.z, words.w};
-    return ellipse;
+    return LOAD(ellipses, pixel);
 }
 
 // Whether a sample or candidate at x, y conflicts with another one.

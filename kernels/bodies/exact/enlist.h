@@ -4,12 +4,12 @@
 #include "portable/conflict.h"
 
 // With several classes: whether the candidate's disk holds the whole block.
-BODY bool covers(MEMORY const Geometry g, const u32x4 candidate, const u32 radius,
-                 const u32x2 node_and_least) {
+BODY bool covers(MEMORY const Geometry g, const Candidate candidate, const u32 radius,
+                 const BlockNode block) {
     if (g.sheet_bits == BITS_OF_ONE_SHEET) return false;
-    const u32x4 box = AT(tree_boxes, node_and_least.x);
+    const Box box = LOAD(tree_boxes, block.node);
     const Sized there = {x_beside(candidate.x, box.x, g.sheet_bits), candidate.y, radius};
-    return covers_box(there, box.x, box.y, box.z, box.w, node_and_least.y,
+    return covers_box(there, box.x, box.width, box.begin, box.end, block.least,
                       factor_of(ON g, candidate.x, box.x), g.period_x, g.period_y);
 }
 
@@ -18,7 +18,8 @@ BODY bool covers(MEMORY const Geometry g, const u32x4 candidate, const u32 radiu
 BODY void close_block(MEMORY const u32 leaf) {
     if (AT(open_parts, leaf) == 0u) return;
     u32 node = leaf;
-    while (ATOMIC_ADD(open_parts, node, ~0u) == 1u && node != 0u) node = AT(tree_links, node).w;
+    while (ATOMIC_ADD(open_parts, node, ~0u) == 1u && node != 0u)
+        node = LOAD(tree_links, node).whole;
 }
 
 BODY void serve_enlist(MEMORY const DrawArguments a, const u32 item) {
@@ -27,25 +28,26 @@ BODY void serve_enlist(MEMORY const DrawArguments a, const u32 item) {
     for (u32 block = item * a.chunk; block < end; ++block) {
         const u32 head = AT(visitor_heads, block);
         u32 count = 0u;
-        for (u32 i = head; i != NO_SAMPLE; i = AT(visitors, i).y)
-            count += AT(statuses, AT(visitors, i).x) == STATUS_ADMITTED ? 1u : 0u;
+        for (u32 i = head; i != NO_SAMPLE; i = LOAD(visitors, i).next)
+            count += AT(statuses, LOAD(visitors, i).candidate) == STATUS_ADMITTED ? 1u : 0u;
         if (count == 0u) continue;
-        const u32x2 node_and_least = AT(node_of, block);
+        const BlockNode its_node = LOAD(node_of, block);
         bool is_covered = false;
         u32 number = a.room + ATOMIC_ADD(report, ENTRIES_WORD, count);
         u32 next = AT(lists, block);
-        for (u32 i = head; i != NO_SAMPLE; i = AT(visitors, i).y) {
-            const u32 candidate = AT(visitors, i).x;
+        for (u32 i = head; i != NO_SAMPLE; i = LOAD(visitors, i).next) {
+            const u32 candidate = LOAD(visitors, i).candidate;
             if (AT(statuses, candidate) != STATUS_ADMITTED) continue;
-            const u32x4 entry = AT(candidates, candidate);
+            const Candidate admitted = LOAD(candidates, candidate);
             const u32 radius = AT(candidate_radii, candidate);
-            AT(entries, number) = U32X4(entry.x, entry.y, radius, next);
+            const Neighbour entry = {admitted.x, admitted.y, radius, next};
+            STORE(entries, number, entry);
             next = number;
             ++number;
-            is_covered = is_covered || covers(ON a.g, entry, radius, node_and_least);
+            is_covered = is_covered || covers(ON a.g, admitted, radius, its_node);
         }
         AT(lists, block) = next;
-        if (is_covered) close_block(ON node_and_least.x);
+        if (is_covered) close_block(ON its_node.node);
     }
     CHECK_TURNS(a.g.height, FAILED_ADMIT);
 }

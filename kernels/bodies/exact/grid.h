@@ -22,13 +22,12 @@ struct Walk {
 };
 LACUNA_TYPEDEF(Walk)
 
-BODY Box box_at(MEMORY const StripArguments a, const u32 number) {
-    const Strip whole = {AT(boxes, number), a.g.radius, true};
-    const Box box = {whole, U32X4(0u, 0u, 0u, 0u), U32X4(0u, 0u, 0u, 0u)};
-    return box;
+BODY HalvedBox box_at(MEMORY const StripArguments a, const u32 number) {
+    const Strip whole = {LOAD(boxes, number), a.g.radius, true};
+    return uncut(whole);
 }
 
-BODY Strip strip_of(const StripArguments a, const Box box, const u32 k) {
+BODY Strip strip_of(const StripArguments a, const HalvedBox box, const u32 k) {
     Strip strip = box.whole;
     if (a.strip_bits != 0u) strip.at = half_of(strip.at, k);
     return strip;
@@ -42,22 +41,23 @@ BODY u32 cell_of(const Geometry g, const Near near, const u32 number) {
 // Bit `number`, if the cell's sample may cut the box or one of its strips; otherwise 0. A chord is
 // cut at the far edge of a strip, which is at least as far as the middle of the box, less 1 unit
 // where strips are one unit wide.
-BODY u64 bit_of_cell(MEMORY const Geometry g, const u32x4 box, const u32 cell, const u32 number) {
+BODY u64 bit_of_cell(MEMORY const Geometry g, const Box box, const u32 cell, const u32 number) {
     const u32 x = AT(grid_x, cell);
-    const u32 distance = axis_distance(x, box.x + box.y / 2u, g.period_x);
+    const u32 distance = axis_distance(x, box.x + box.width / 2u, g.period_x);
     const u32 dx = distance - min(distance, 1u);
-    const u32 dy = distance_to_stretch(AT(grid_y, cell), box.z, box.w, g.period_y);
+    const u32 dy = distance_to_stretch(AT(grid_y, cell), box.begin, box.end, g.period_y);
     const u64 bit = x != NO_SAMPLE && squared_length(dx, dy) < g.radius_squared ? 1u : 0u;
     return bit << number;
 }
 
-BODY Near near_of(MEMORY const StripArguments a, const u32 number, const Box box) {
+BODY Near near_of(MEMORY const StripArguments a, const u32 number, const HalvedBox box) {
     const Geometry g = a.g;
-    const u32x4 at = box.whole.at;
+    const Box at = box.whole.at;
     Near near;
-    near.columns =
-        cells_near(at.x, at.x + at.y, g.radius, g.width, g.period_x, g.grid_side, g.grid_columns);
-    near.rows = cells_near(at.z, at.w, g.radius, g.height, g.period_y, g.grid_side, g.grid_rows);
+    near.columns = cells_near(at.x, at.x + at.width, g.radius, g.width, g.period_x, g.grid_side,
+                              g.grid_columns);
+    near.rows =
+        cells_near(at.begin, at.end, g.radius, g.height, g.period_y, g.grid_side, g.grid_rows);
     near.cells = 0u;
     if (max(near.columns.count, near.rows.count) > NEAR_SIDE)
         ATOMIC_OR(report, FAILURE_WORD, FAILED_CHORDS);
@@ -82,10 +82,10 @@ BODY bool has_sample(const StripArguments a, const Near near, const Walk walk) {
 
 // A neighbour's x as the strip sees it, and the square of the distance that it keeps: lists.h,
 // where there are classes of samples, has more to do.
-BODY u32 x_of(const StripArguments a, const u32x4 neighbour, const Strip strip) {
+BODY u32 x_of(const StripArguments a, const Neighbour neighbour, const Strip strip) {
     return neighbour.x;
 }
-BODY u64 limit_near(MEMORY const StripArguments a, const u32x4 neighbour, const Strip strip) {
+BODY u64 limit_near(MEMORY const StripArguments a, const Neighbour neighbour, const Strip strip) {
     return a.g.radius_squared;
 }
 
@@ -96,7 +96,7 @@ struct Chord {
 };
 LACUNA_TYPEDEF(Chord)
 
-BODY Chord chord_of(MEMORY const StripArguments a, const Strip strip, const u32x4 neighbour) {
+BODY Chord chord_of(MEMORY const StripArguments a, const Strip strip, const Neighbour neighbour) {
     const Chord chord = {neighbour.y,
                          chord_reach(cut_distance(a.g, strip, neighbour.x), a.g.radius_squared)};
     return chord;
@@ -108,18 +108,19 @@ BODY u32 end_of_chord(const Geometry g, const Chord chord, const u32 window) {
     return window_end(window, chord.y, chord.reach, g.height);
 }
 
-// x, y and radius of the sample; the fourth word is used in lists.h only.
-BODY u32x4 sample_at(MEMORY const StripArguments a, const Near near, const Walk walk) {
+// There is no list, so `next` is 0.
+BODY Neighbour sample_at(MEMORY const StripArguments a, const Near near, const Walk walk) {
     const u32 cell = cell_of(a.g, near, lowest_bit_of_64(walk.cells));
-    return U32X4(AT(grid_x, cell), AT(grid_y, cell), a.g.radius, 0u);
+    const Neighbour neighbour = {AT(grid_x, cell), AT(grid_y, cell), a.g.radius, 0u};
+    return neighbour;
 }
 
-BODY Walk walk_past(const Near near, const Walk walk, const u32x4 neighbour) {
+BODY Walk walk_past(const Near near, const Walk walk, const Neighbour neighbour) {
     const Walk next = {walk.cells & (walk.cells - 1u)};
     return next;
 }
 
 // The host needs only the length of a new box: all have the same radius and the same width.
-BODY void keep_origin(MEMORY const u32 from, const Strip strip, const u32x4 box, const u32 to) {
-    AT(results, to) = box.w - box.z;
+BODY void keep_origin(MEMORY const u32 from, const Strip strip, const Box box, const u32 to) {
+    AT(results, to) = box.end - box.begin;
 }

@@ -3,24 +3,24 @@
 
 // A piece that does not fit into the room is left out: the host sees the total, and launches again.
 BODY void keep_piece(MEMORY const StripArguments a, const u32 from, const Strip strip,
-                     const u32x2 piece, const u32 to) {
+                     const Span piece, const u32 to) {
     if (to >= a.room) return;
-    const u32x4 box = U32X4(strip.at.x, strip.at.y, piece.x, piece.y);
-    AT(new_boxes, to) = box;
+    const Box box = {strip.at.x, strip.at.width, piece.begin, piece.end};
+    STORE(new_boxes, to, box);
     keep_origin(ON from, strip, box, to);
 }
 
 // Cuts a strip that has several pieces once more, and writes these from index `to` upwards. Returns
 // the index after the last.
-BODY u32 keep_several(MEMORY const StripArguments a, const u32 number, const Box box,
+BODY u32 keep_several(MEMORY const StripArguments a, const u32 number, const HalvedBox box,
                       const Strip strip, const u32 to) {
     const Near near = near_of(ON a, number, box);
     const Pieces pieces = cut_strip(ON a, near, strip);
     u32 next = to;
-    u32x2 piece = U32X2(pieces.low, pieces.low);
-    while (piece.y < pieces.high) {
-        piece = next_piece(ON a, near, strip, pieces, piece.y);
-        if (piece.x == piece.y) break;
+    Span piece = span_of(pieces.low, pieces.low);
+    while (piece.end < pieces.high) {
+        piece = next_piece(ON a, near, strip, pieces, piece.end);
+        if (piece.begin == piece.end) break;
         keep_piece(ON a, number, strip, piece, next);
         ++next;
     }
@@ -36,16 +36,16 @@ BODY void serve_keep(MEMORY const StripArguments a, const u32 item) {
     u32 to = 0u;
     for (u32 index = item * a.chunk << a.strip_bits; index < end; ++index) {
         // A loop of its own: items in lockstep skip together, then work together.
-        while (index < end && AT(strip_pieces, index).y == 0u) ++index;
+        while (index < end && LOAD(strip_pieces, index).end == 0u) ++index;
         if (index == end) break;
         if (index >> a.strip_bits != number) {
             number = index >> a.strip_bits;
             to = sum_before(ON number, a.block_bits);
         }
-        const Box box = box_at(ON a, number);
+        const HalvedBox box = box_at(ON a, number);
         const Strip strip = strip_of(a, box, index & (1u << a.strip_bits) - 1u);
-        const u32x2 piece = AT(strip_pieces, index);
-        if (piece.y == NO_SAMPLE) {
+        const Span piece = LOAD(strip_pieces, index);
+        if (piece.end == NO_SAMPLE) {
             to = keep_several(ON a, number, box, strip, to);
         } else {
             keep_piece(ON a, number, strip, piece, to);

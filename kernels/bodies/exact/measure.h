@@ -8,16 +8,18 @@ BODY void serve_measure(MEMORY const StripArguments a, const u32 item) {
     const u32 boxes = AT(report, TOTAL_WORD) - AT(report, SAMPLES_WORD);
     const u32 end = min((item + 1u) * a.chunk, min(a.room, boxes));
     for (u32 number = item * a.chunk; number < end && boxes <= a.room; ++number) {
-        const u32x4 box = AT(new_boxes, number);
-        AT(results, number) = box.w - box.z;
-        AT(results, boxes + number) = box.y;
+        const Box box = LOAD(new_boxes, number);
+        AT(results, number) = box.end - box.begin;
+        AT(results, boxes + number) = box.width;
     }
     for (u32 number = item * a.chunk; number < end; ++number) {
         // A loop of its own: items in lockstep skip together, then work together.
-        while (number < end && AT(new_origins, number).y != 0u) ++number;
+        while (number < end && LOAD(new_origins, number).radius != 0u) ++number;
         if (number == end) break;
-        const u32 radius = radius_under(under(ON grids, touched_by(grids, AT(new_boxes, number))));
-        AT(new_origins, number) = U32X2(AT(new_origins, number).x, radius);
+        const Touched touched = touched_by(grids, LOAD(new_boxes, number));
+        Origin origin = LOAD(new_origins, number);
+        origin.radius = radius_under(under(ON grids, touched));
+        STORE(new_origins, number, origin);
     }
     CHECK_TURNS(a.g.height, FAILED_REFINE);
 }

@@ -16,7 +16,7 @@ BODY bool has_disks(const Geometry g) {
 
 // On a torus a chord continues at the other edge: see window_begin in chord.h.
 BODY u32 windows_of(const Geometry g, const Strip strip) {
-    const bool is_at_edge = strip.at.z < strip.radius || g.height - strip.at.w < strip.radius;
+    const bool is_at_edge = strip.at.begin < strip.radius || g.height - strip.at.end < strip.radius;
     const bool has_classes = g.sheet_bits != BITS_OF_ONE_SHEET;  // they may reach farther
     return g.period_y != 0u && (is_at_edge || has_classes) ? 3u : 1u;
 }
@@ -38,10 +38,10 @@ BODY bool is_covered_by_one(MEMORY const StripArguments a, const Near near, cons
     bool is_covered = false;
     Walk walk = walk_over(a, near);
     while (has_sample(a, near, walk) && !is_covered && has_disks(a.g)) {
-        const u32x4 neighbour = sample_at(ON a, near, walk);
+        const Neighbour neighbour = sample_at(ON a, near, walk);
         walk = walk_past(near, walk, neighbour);
         const u32 dy =
-            farthest_distance(to_i64(neighbour.y), to_i64(strip.at.z), to_i64(strip.at.w));
+            farthest_distance(to_i64(neighbour.y), to_i64(strip.at.begin), to_i64(strip.at.end));
         is_covered = squared_length(cut_distance(a.g, strip, x_of(a, neighbour, strip)), dy) <
                      limit_near(ON a, neighbour, strip);
     }
@@ -55,9 +55,9 @@ BODY Walk next_touching(MEMORY const StripArguments a, const Near near, const St
     Walk walk = from;
     bool is_touching = false;
     while (has_sample(a, near, walk) && !is_touching) {
-        const u32x4 neighbour = sample_at(ON a, near, walk);
+        const Neighbour neighbour = sample_at(ON a, near, walk);
         const u32 dx = cut_distance(a.g, strip, x_of(a, neighbour, strip));
-        const u32 dy = distance_to_stretch(neighbour.y, strip.at.z, strip.at.w, a.g.period_y);
+        const u32 dy = distance_to_stretch(neighbour.y, strip.at.begin, strip.at.end, a.g.period_y);
         is_touching = squared_length(dx, dy) < limit_near(ON a, neighbour, strip);
         if (!is_touching) walk = walk_past(near, walk, neighbour);
     }
@@ -65,8 +65,8 @@ BODY Walk next_touching(MEMORY const StripArguments a, const Near near, const St
 }
 
 BODY Pieces cut_strip(MEMORY const StripArguments a, const Near near, const Strip strip) {
-    Pieces pieces = {strip.at.z, strip.at.w, 0u};
-    if (strip.at.z == strip.at.w) return pieces;
+    Pieces pieces = {strip.at.begin, strip.at.end, 0u};
+    if (strip.at.begin == strip.at.end) return pieces;
     if (is_covered_by_one(ON a, near, strip)) {
         pieces.high = pieces.low;
         return pieces;
@@ -74,7 +74,7 @@ BODY Pieces cut_strip(MEMORY const StripArguments a, const Near near, const Stri
     const u32 windows = windows_of(a.g, strip);
     Walk walk = next_touching(ON a, near, strip, walk_over(a, near));
     while (has_sample(a, near, walk) && pieces.low < pieces.high) {
-        const u32x4 neighbour = sample_at(ON a, near, walk);
+        const Neighbour neighbour = sample_at(ON a, near, walk);
         const Chord chord = chord_of(ON a, strip, neighbour);
         for (u32 window = 0u; window < windows; ++window)
             pieces = without_chord(pieces, begin_of_chord(a.g, chord, window),
@@ -84,10 +84,10 @@ BODY Pieces cut_strip(MEMORY const StripArguments a, const Near near, const Stri
     return pieces;
 }
 
-// The lowest piece [x, y) that begins at `from` or above; empty if there is none.
-BODY u32x2 next_piece(MEMORY const StripArguments a, const Near near, const Strip strip,
-                      const Pieces pieces, const u32 from) {
-    if (pieces.insides == 0u) return U32X2(from, pieces.high);
+// The lowest piece that begins at `from` or above; empty if there is none.
+BODY Span next_piece(MEMORY const StripArguments a, const Near near, const Strip strip,
+                     const Pieces pieces, const u32 from) {
+    if (pieces.insides == 0u) return span_of(from, pieces.high);
     const u32 windows = windows_of(a.g, strip);
     u32 begin = from;
     while (begin < pieces.high) {
@@ -96,7 +96,7 @@ BODY u32x2 next_piece(MEMORY const StripArguments a, const Near near, const Stri
         bool has_moved = false;
         Walk walk = walk_over(a, near);
         while (has_sample(a, near, walk)) {
-            const u32x4 neighbour = sample_at(ON a, near, walk);
+            const Neighbour neighbour = sample_at(ON a, near, walk);
             walk = walk_past(near, walk, neighbour);
             const Chord chord = chord_of(ON a, strip, neighbour);
             for (u32 window = 0u; window < windows; ++window) {
@@ -108,7 +108,7 @@ BODY u32x2 next_piece(MEMORY const StripArguments a, const Near near, const Stri
                 end = chord_begin > begin ? chord_begin : end;
             }
         }
-        if (!has_moved) return U32X2(begin, end);
+        if (!has_moved) return span_of(begin, end);
     }
-    return U32X2(pieces.high, pieces.high);
+    return span_of(pieces.high, pieces.high);
 }

@@ -1,6 +1,5 @@
 // The radius field on a device: the radius of each point, and where samples may lie
-// (plan/radius_field.h). A rectangle is x, width, begin, end; a rectangle of pixels is first
-// column, last column, first row, last row.
+// (plan/radius_field.h).
 #include "bodies/exact/pixels.h"
 #include "portable/mask_tree.h"
 
@@ -22,10 +21,19 @@ struct Grids {
 };
 LACUNA_TYPEDEF(Grids)
 
-// The pixels that a rectangle touches.
+// The columns [first_column, last_column] of pixels, in the rows [first_row, last_row].
+struct Pixels {
+    u32 first_column;
+    u32 last_column;
+    u32 first_row;
+    u32 last_row;
+};
+LACUNA_TYPEDEF(Pixels)
+
+// The pixels that a box touches.
 struct Touched {
-    u32x4 field;
-    u32x4 mask;
+    Pixels field;
+    Pixels mask;
 };
 LACUNA_TYPEDEF(Touched)
 
@@ -41,23 +49,27 @@ BODY bool has_mask(const Grids grids) {
     return grids.mask.columns.pixels != 0u;
 }
 
-BODY u32x4 pixels_under(const Grid grid, const u32x4 box) {
-    return U32X4(pixel_of(grid.columns, box.x), pixel_of(grid.columns, box.x + box.y - 1u),
-                 pixel_of(grid.rows, box.z), pixel_of(grid.rows, box.w - 1u));
+BODY Pixels pixels_under(const Grid grid, const Box box) {
+    const Pixels pixels = {pixel_of(grid.columns, box.x),
+                           pixel_of(grid.columns, box.x + box.width - 1u),
+                           pixel_of(grid.rows, box.begin), pixel_of(grid.rows, box.end - 1u)};
+    return pixels;
 }
 
-BODY Touched touched_by(const Grids grids, const u32x4 box) {
-    Touched touched = {pixels_under(grids.field, box), U32X4(0u, 0u, 0u, 0u)};
+BODY Touched touched_by(const Grids grids, const Box box) {
+    Touched touched;
+    touched.field = pixels_under(grids.field, box);
+    touched.mask = touched.field;  // not used without a mask
     if (has_mask(grids)) touched.mask = pixels_under(grids.mask, box);
     return touched;
 }
 
 // The lowest level of a pyramid where a rectangle of pixels touches at most 4 x 4 values.
-BODY Level level_over(const Grid grid, const u32x4 pixels) {
+BODY Level level_over(const Grid grid, const Pixels pixels) {
     Level level = {0u, 0u, grid.rows.pixels};
     u32 columns = grid.columns.pixels;
-    while ((pixels.y >> level.shift) - (pixels.x >> level.shift) >= 4u ||
-           (pixels.w >> level.shift) - (pixels.z >> level.shift) >= 4u) {
+    while ((pixels.last_column >> level.shift) - (pixels.first_column >> level.shift) >= 4u ||
+           (pixels.last_row >> level.shift) - (pixels.first_row >> level.shift) >= 4u) {
         level.first += columns * level.rows;
         columns = (columns + 1u) / 2u;
         level.rows = (level.rows + 1u) / 2u;
@@ -67,13 +79,14 @@ BODY Level level_over(const Grid grid, const u32x4 pixels) {
 }
 
 // The least and the greatest radius, see portable/radius_field.h.
-BODY u32x2 radii_over(MEMORY const Grid field, const u32x4 pixels) {
+BODY Radii radii_over(MEMORY const Grid field, const Pixels pixels) {
     const Level level = level_over(field, pixels);
-    u32x2 all = U32X2(0u, 0u);
-    for (u32 i = pixels.x >> level.shift; i <= pixels.y >> level.shift; ++i) {
-        for (u32 j = pixels.z >> level.shift; j <= pixels.w >> level.shift; ++j) {
-            const u32x2 value = AT(radius_bounds, level.first + i * level.rows + j);
-            all = U32X2(least_of_radii(all.x, value.x), greatest_of_radii(all.y, value.y));
+    Radii all = {0u, 0u};
+    for (u32 i = pixels.first_column >> level.shift; i <= pixels.last_column >> level.shift; ++i) {
+        for (u32 j = pixels.first_row >> level.shift; j <= pixels.last_row >> level.shift; ++j) {
+            const Radii value = LOAD(radius_bounds, level.first + i * level.rows + j);
+            all.least = least_of_radii(all.least, value.least);
+            all.greatest = greatest_of_radii(all.greatest, value.greatest);
         }
     }
     return all;
@@ -103,12 +116,12 @@ BODY u32 allowed_from(MEMORY const Node root, const u32 level, const u32 column,
 
 // The lowest node that contains a rectangle of pixels and is not lower than 2^level, or none: then
 // `shift` is the value of the rectangle, and `number` is NO_NODE.
-BODY Node node_over(MEMORY const Grid mask, const u32 level, const u32x4 pixels) {
+BODY Node node_over(MEMORY const Grid mask, const u32 level, const Pixels pixels) {
     Node node = {0u, mask.columns.root};
-    while (pixels.x >> node.shift == pixels.y >> node.shift &&
-           pixels.z >> node.shift == pixels.w >> node.shift) {
+    while (pixels.first_column >> node.shift == pixels.last_column >> node.shift &&
+           pixels.first_row >> node.shift == pixels.last_row >> node.shift) {
         const u32 values = AT(mask_nodes, node.number * NODE_WORDS);
-        const u32 slot = slot_of(pixels.x, pixels.z, node.shift);
+        const u32 slot = slot_of(pixels.first_column, pixels.first_row, node.shift);
         const u32 value = value_of_slot(values, slot);
         if (value != ALLOWED_SOME || node.shift <= level) {
             const Node none = {NO_NODE, value};
@@ -120,13 +133,13 @@ BODY Node node_over(MEMORY const Grid mask, const u32 level, const u32x4 pixels)
     return node;
 }
 
-BODY u32 allowed_over(MEMORY const Grid mask, const u32x4 pixels) {
+BODY u32 allowed_over(MEMORY const Grid mask, const Pixels pixels) {
     const Level level = level_over(mask, pixels);
     const Node node = node_over(ON mask, level.shift, pixels);
     if (node.number == NO_NODE) return node.shift;
     u32 seen = 0u;  // a bit for each value
-    for (u32 i = pixels.x >> level.shift; i <= pixels.y >> level.shift; ++i) {
-        for (u32 j = pixels.z >> level.shift; j <= pixels.w >> level.shift; ++j) {
+    for (u32 i = pixels.first_column >> level.shift; i <= pixels.last_column >> level.shift; ++i) {
+        for (u32 j = pixels.first_row >> level.shift; j <= pixels.last_row >> level.shift; ++j) {
             seen =
                 seen | 1u << allowed_from(ON node, level.shift, i << level.shift, j << level.shift);
             if ((seen & (seen - 1u)) != 0u) return ALLOWED_SOME;
@@ -137,9 +150,11 @@ BODY u32 allowed_over(MEMORY const Grid mask, const u32x4 pixels) {
 }
 
 BODY Under under(MEMORY const Grids grids, const Touched touched) {
-    const u32x2 radii = radii_over(ON grids.field, touched.field);
-    const bool is_one = touched.field.x == touched.field.y && touched.field.z == touched.field.w;
-    Under found = {radii.x, radii.y, !is_one && are_radii_mixed(radii.x, radii.y), ALLOWED_ALL};
+    const Radii radii = radii_over(ON grids.field, touched.field);
+    const bool is_one = touched.field.first_column == touched.field.last_column &&
+                        touched.field.first_row == touched.field.last_row;
+    Under found = {radii.least, radii.greatest,
+                   !is_one && are_radii_mixed(radii.least, radii.greatest), ALLOWED_ALL};
     if (has_mask(grids)) found.allowed = allowed_over(ON grids.mask, touched.mask);
     if (found.allowed == ALLOWED_NONE) found.least = 0u;
     return found;
@@ -157,7 +172,7 @@ BODY u32 radius_under(const Under all) {
 BODY u32 radius_at(MEMORY const Grids grids, const u32 x, const u32 y) {
     const Grid field = grids.field;
     const u32 pixel = pixel_of(field.columns, x) * field.rows.pixels + pixel_of(field.rows, y);
-    const u32 radius = AT(radius_bounds, pixel).y & ~HAS_ZEROS;
+    const u32 radius = LOAD(radius_bounds, pixel).greatest & ~HAS_ZEROS;
     if (!has_mask(grids)) return radius;
     const Grid mask = grids.mask;
     const Node root = {0u, mask.columns.root};
@@ -174,22 +189,24 @@ BODY u32 middle_border(const Axis axis, const u32 first, const u32 last) {
 
 // The x at which to halve a box: at a border of pixels near its middle if the pixels are unlike,
 // otherwise in its middle. 0: not to be cut. `all` describes what lies under the box.
-BODY u32 cut_x(const Grids grids, const u32x4 box, const Touched touched, const Under all) {
+BODY u32 cut_x(const Grids grids, const Box box, const Touched touched, const Under all) {
     const u32 sheet = box.x & ~grids.field.columns.last;
     u32 cut = 0u;
     if (all.allowed == ALLOWED_SOME)
-        cut = middle_border(grids.mask.columns, touched.mask.x, touched.mask.y);
+        cut =
+            middle_border(grids.mask.columns, touched.mask.first_column, touched.mask.last_column);
     if (cut == 0u && all.is_mixed)
-        cut = middle_border(grids.field.columns, touched.field.x, touched.field.y);
-    if (cut == 0u) return box.y > 1u ? box.x + box.y / 2u : 0u;
+        cut = middle_border(grids.field.columns, touched.field.first_column,
+                            touched.field.last_column);
+    if (cut == 0u) return box.width > 1u ? box.x + box.width / 2u : 0u;
     return sheet | cut;
 }
 
 BODY u32 cut_y(const Grids grids, const Touched touched, const Under all) {
     u32 cut = 0u;
     if (all.allowed == ALLOWED_SOME)
-        cut = middle_border(grids.mask.rows, touched.mask.z, touched.mask.w);
+        cut = middle_border(grids.mask.rows, touched.mask.first_row, touched.mask.last_row);
     if (cut == 0u && all.is_mixed)
-        cut = middle_border(grids.field.rows, touched.field.z, touched.field.w);
+        cut = middle_border(grids.field.rows, touched.field.first_row, touched.field.last_row);
     return cut;
 }

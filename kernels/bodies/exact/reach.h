@@ -7,35 +7,36 @@
 
 // Whether a candidate is closer to a box than both its own radius and the greatest under the box,
 // each times the factor. Its x is on the sheet of the box.
-BODY bool is_reached(const u32x4 box, const u32 greatest, const Sized candidate, const u32 factor,
+BODY bool is_reached(const Box box, const u32 greatest, const Sized candidate, const u32 factor,
                      const u32 period_x, const u32 period_y) {
-    return squared_length(distance_to_stretch(candidate.x, box.x, box.x + box.y, period_x),
-                          distance_to_stretch(candidate.y, box.z, box.w, period_y)) <
+    return squared_length(distance_to_stretch(candidate.x, box.x, box.x + box.width, period_x),
+                          distance_to_stretch(candidate.y, box.begin, box.end, period_y)) <
            squared_limit(candidate.radius, greatest, factor);
 }
 
 // Whether the interval `part` contains everything nearer to `at` than the radius. Nothing lies
 // beyond an end that it shares with the interval `all`, unless the axis wraps.
-BODY bool is_within(const u32 at, const u32 radius, const u32x2 part, const u32x2 all,
+BODY bool is_within(const u32 at, const u32 radius, const Span part, const Span all,
                     const u32 period) {
-    const bool ends_at_begin = period == 0u && part.x == all.x;
-    const bool ends_at_end = period == 0u && part.y == all.y;
-    return (at - part.x >= radius || ends_at_begin) && (part.y - at > radius || ends_at_end);
+    const bool ends_at_begin = period == 0u && part.begin == all.begin;
+    const bool ends_at_end = period == 0u && part.end == all.end;
+    return (at - part.begin >= radius || ends_at_begin) && (part.end - at > radius || ends_at_end);
 }
 
 // The smallest node of the candidate's sheet that holds all blocks that the candidate reaches
 // there. `root` is the node of the whole sheet.
-BODY u32 node_around(MEMORY const DrawArguments a, const u32x4 candidate, const u32 radius,
+BODY u32 node_around(MEMORY const DrawArguments a, const Candidate candidate, const u32 radius,
                      const u32 root) {
-    const u32x4 all = AT(tree_boxes, root);
-    u32 node = AT(node_of, candidate.z).x;
+    const Box all = LOAD(tree_boxes, root);
+    u32 node = LOAD(node_of, candidate.home).node;
     while (node > root) {  // a part has a higher number than what it is a part of
-        const u32x4 box = AT(tree_boxes, node);
-        if (is_within(candidate.x, radius, U32X2(box.x, box.x + box.y), U32X2(all.x, all.x + all.y),
-                      a.g.period_x) &&
-            is_within(candidate.y, radius, U32X2(box.z, box.w), U32X2(all.z, all.w), a.g.period_y))
+        const Box box = LOAD(tree_boxes, node);
+        if (is_within(candidate.x, radius, span_of(box.x, box.x + box.width),
+                      span_of(all.x, all.x + all.width), a.g.period_x) &&
+            is_within(candidate.y, radius, span_of(box.begin, box.end), span_of(all.begin, all.end),
+                      a.g.period_y))
             break;
-        node = AT(tree_links, node).w;
+        node = LOAD(tree_links, node).whole;
     }
     return node;
 }
@@ -43,12 +44,12 @@ BODY u32 node_around(MEMORY const DrawArguments a, const u32x4 candidate, const 
 // Lists a candidate for its own block and the open ones of one sheet that it reaches, and returns
 // the node after the sheet. `root` is the node of the whole sheet.
 BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root) {
-    const u32x4 candidate = AT(candidates, i);
-    const u32 sheet_x = AT(tree_boxes, root).x;
+    const Candidate candidate = LOAD(candidates, i);
+    const u32 sheet_x = LOAD(tree_boxes, root).x;
     const u32 factor = factor_of(ON a.g, candidate.x, sheet_x);
     const Sized there = {x_beside(candidate.x, sheet_x, a.g.sheet_bits), candidate.y,
                          AT(candidate_radii, i)};
-    const bool has_block = candidate.z != NO_SAMPLE && there.x == candidate.x;
+    const bool has_block = candidate.home != NO_SAMPLE && there.x == candidate.x;
     const u32 first =
         has_block ? node_around(ON a, candidate, times_factor(there.radius, factor), root) : root;
     // Within a part of the domain the way around the torus is never shorter.
@@ -59,36 +60,37 @@ BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root
     if (has_ellipse) ellipse = ellipse_at(ON candidate.x, candidate.y);
     const bool has_classes = a.g.sheet_bits != BITS_OF_ONE_SHEET;
     const bool is_all = a.first_node == ALL_NODES;
-    const u32 next = AT(tree_links, first).y;
+    const u32 next = LOAD(tree_links, first).next;
     const u32 end = is_all ? next : min(next, a.first_node + NODES_AT_ONCE);
     u32 node = is_all ? first : max(first, a.first_node);
     while (node < end) {
-        const u32x4 links = AT(tree_links, node);
-        const u32x4 box = AT(tree_boxes, node);
+        const Links links = LOAD(tree_links, node);
+        const Box box = LOAD(tree_boxes, node);
         const bool is_closed = has_classes && AT(open_parts, node) == 0u;
-        const bool is_own = there.x == candidate.x && there.x - box.x < box.y && there.y >= box.z &&
-                            there.y < box.w;
+        const bool is_own = there.x == candidate.x && there.x - box.x < box.width &&
+                            there.y >= box.begin && there.y < box.end;
         if ((is_closed && !is_own) ||
-            !is_reached(box, links.x, there, factor, period_x, period_y) ||
-            (has_ellipse &&
-             ellipse_misses(there, ellipse, box.x, box.y, box.z, box.w, period_x, period_y))) {
-            node = links.y;
+            !is_reached(box, links.greatest, there, factor, period_x, period_y) ||
+            (has_ellipse && ellipse_misses(there, ellipse, box.x, box.width, box.begin, box.end,
+                                           period_x, period_y))) {
+            node = links.next;
             continue;
         }
         ++node;
-        if (node != links.y) continue;
+        if (node != links.next) continue;
         const u32 number = ATOMIC_ADD(report, VISITORS_WORD, 1u);
         if (number >= a.room) continue;
-        const u32 earlier = ATOMIC_SET(visitor_heads, links.z, number);
-        AT(visitors, number) = U32X2(i, earlier);
+        const u32 earlier = ATOMIC_SET(visitor_heads, links.first_block, number);
+        const Visitor visitor = {i, earlier};
+        STORE(visitors, number, visitor);
     }
-    return AT(tree_links, root).y;
+    return LOAD(tree_links, root).next;
 }
 
 // Lists a candidate for all blocks that it reaches. If the room is too small, the rest is only
 // counted: the host sees the number, makes room and launches again.
 BODY void list_reached(MEMORY const DrawArguments a, const u32 i) {
-    const u32 end = AT(tree_links, 0u).y;
+    const u32 end = LOAD(tree_links, 0u).next;
     u32 root = a.g.sheet_bits == BITS_OF_ONE_SHEET ? 0u : 1u;  // sheets are the parts of node 0
     while (root < end) root = list_on_sheet(ON a, i, root);
 }

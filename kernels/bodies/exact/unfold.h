@@ -12,15 +12,16 @@ BODY void serve_unfold(MEMORY const SlabArguments a, const u32 item) {
     const u32 count = AT(span_counts, tile);
     u32 next = a.block_bits == 0u ? 0u : sum_before(ON tile, a.block_bits);
     for (u32 i = 0u; i < count; ++i) {
-        const u32x2 span = AT(spans, slot + i);
+        const Span span = LOAD(spans, slot + i);
         if (a.block_bits == 0u) {
-            next += (span.y - 1u) / side - span.x / side + 1u;
+            next += (span.end - 1u) / side - span.begin / side + 1u;
             continue;
         }
-        u32 begin = span.x;
-        while (begin < span.y) {
-            const u32 end = begin + min(span.y - begin, side - begin % side);
-            AT(boxes, next) = U32X4(tile / a.tiles * a.g.strip_width, a.g.strip_width, begin, end);
+        u32 begin = span.begin;
+        while (begin < span.end) {
+            const u32 end = begin + min(span.end - begin, side - begin % side);
+            const Box box = {tile / a.tiles * a.g.strip_width, a.g.strip_width, begin, end};
+            STORE(boxes, next, box);
             ++next;
             begin = end;
         }

@@ -24,8 +24,10 @@ BODY u32 list_rows(MEMORY const SlabArguments a, const Stretch columns, const u3
             const u32 bits = AT(new_cells, column * words_of_column(a.g.grid_rows) + word);
             if ((bits >> bit & 1u) == 0u) continue;
             const u32 cell = column * a.g.grid_rows + word * 32u + bit;
-            if (count < a.near_room)
-                AT(near, near_begin + count) = U32X2(AT(grid_x, cell), AT(grid_y, cell));
+            if (count < a.near_room) {
+                const Spot spot = {AT(grid_x, cell), AT(grid_y, cell)};
+                STORE(near, near_begin + count, spot);
+            }
             ++count;
         }
     }

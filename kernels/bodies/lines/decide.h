@@ -19,8 +19,8 @@ BODY Decided decide_by_cell(MEMORY const Geometry g, const Decided before, const
     Decided all = before;
     for (u32 i = head; i != NO_SAMPLE && !all.is_rejected; i = AT(next_candidates, i)) {
         ++all.looks;
-        const u32x4 other = AT(candidates, i);
-        if (other.w >= order) continue;
+        const Candidate other = LOAD(candidates, i);
+        if (other.order >= order) continue;
         if (!are_closer(other.x, other.y, x, y, g.period_x, g.period_y, g.radius_squared)) continue;
         // An admitted candidate rejects this one; an undecided one may reject it later.
         const u32 status = ATOMIC_OR(statuses, i, 0u);
@@ -33,7 +33,7 @@ BODY Decided decide_by_cell(MEMORY const Geometry g, const Decided before, const
 // The status of a candidate as far as it can be decided now, plus four times the number of others
 // looked at. Items of one pass read statuses that other items are writing; whatever they read, a
 // decided status is final.
-BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate) {
+BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const Candidate candidate) {
     const Geometry g = a.g;
     const u32 x = place_of(a, candidate);
     const u32 y = candidate.y;
@@ -46,7 +46,8 @@ BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate
         const u32 column = nth_of_stretch(columns, k, g.grid_columns) * g.grid_rows;
         for (u32 j = 0u; j < rows.count; ++j) {
             const u32 head = AT(cell_heads, column + nth_of_stretch(rows, j, g.grid_rows));
-            if (head != NO_SAMPLE) decided = decide_by_cell(ON g, decided, head, x, y, candidate.w);
+            if (head != NO_SAMPLE)
+                decided = decide_by_cell(ON g, decided, head, x, y, candidate.order);
         }
     }
     if (decided.is_rejected) return STATUS_REJECTED + 4u * decided.looks;

@@ -16,32 +16,32 @@ BODY u32 tile_of_rank(MEMORY const u32 first, const u32 tiles, const u32 rank) {
     return first + low;
 }
 
-// Serves a chunk of the draws whose lines are in the slab. A draw is line, rank, offset, order. A
-// line's draws ascend in rank, so the search for the next one goes on in the same tile.
+// Serves a chunk of the draws whose lines are in the slab. A draw's bin is a line. A line's
+// draws ascend in rank, so the search for the next one goes on in the same tile.
 BODY void serve_locate(MEMORY const SlabArguments a, const u32 item) {
     const u32 begin = a.first_draw + item * a.chunk;
     const u32 end = min(begin + a.chunk, a.end_draw);
     u32 tile = NO_SAMPLE;
     u32 slot = 0u;
     u32 passed = 0u;  // free length of the line below the span
-    u32x2 span = U32X2(0u, 0u);
+    Span span = span_of(0u, 0u);
     for (u32 i = begin; i < end; ++i) {
-        const u32x4 draw = AT(draws, i);
-        const u32 its_tile = tile_of_rank(ON draw.x * a.tiles, a.tiles, draw.y);
+        const Draw draw = LOAD(draws, i);
+        const u32 its_tile = tile_of_rank(ON draw.bin * a.tiles, a.tiles, draw.rank);
         if (its_tile != tile) {
             tile = its_tile;
             slot = (tile - a.slab_begin) * a.g.capacity;
             passed = AT(tile_begins, tile);
-            span = AT(spans, slot);
+            span = LOAD(spans, slot);
         }
-        while (draw.y - passed >= span.y - span.x) {
-            passed += span.y - span.x;
+        while (draw.rank - passed >= span.end - span.begin) {
+            passed += span.end - span.begin;
             ++slot;
-            span = AT(spans, slot);
+            span = LOAD(spans, slot);
         }
-        // A candidate is x, y, line, order.
-        AT(candidates, i) =
-            U32X4(draw.x * a.g.strip_width + draw.z, span.x + (draw.y - passed), draw.x, draw.w);
+        const Candidate candidate = {draw.bin * a.g.strip_width + draw.offset,
+                                     span.begin + (draw.rank - passed), draw.bin, draw.order};
+        STORE(candidates, i, candidate);
         AT(statuses, i) = STATUS_UNDECIDED;
     }
     CHECK_TURNS(a.g.height, FAILED_LOCATE);

@@ -5,7 +5,7 @@ BODY void serve_open_lines(MEMORY const SlabArguments a, const u32 item) {
     if (tile >= a.end_tile) return;
     const u32 begin = tile % a.tiles * a.tile_height;
     const u32 end = begin + min(a.tile_height, a.g.height - begin);
-    AT(spans, (tile - a.slab_begin) * a.g.capacity) = U32X2(begin, end);
+    STORE(spans, (tile - a.slab_begin) * a.g.capacity, span_of(begin, end));
     AT(span_counts, tile) = 1u;
     AT(tile_lengths, tile) = end - begin;
 }

@@ -16,23 +16,25 @@ struct Gap {
     u32 room;   // limit to which `end` may move
     u32 total;  // length of all spans
     bool fits;  // false if the memory did not suffice: then nothing more is cut
-    u32x2 below;
-    u32x2 above;
+    Span below;
+    Span above;
 };
 LACUNA_TYPEDEF(Gap)
 
-BODY u32x2 span_below(MEMORY const Gap gap) {
-    return gap.done > gap.slot ? AT(spans, gap.done - 1u) : U32X2(0u, 0u);
+BODY Span span_below(MEMORY const Gap gap) {
+    if (gap.done > gap.slot) return LOAD(spans, gap.done - 1u);
+    return span_of(0u, 0u);
 }
 
-BODY u32x2 span_above(MEMORY const Gap gap) {
-    return gap.rest < gap.end ? AT(spans, gap.rest) : U32X2(NO_SAMPLE, NO_SAMPLE);
+BODY Span span_above(MEMORY const Gap gap) {
+    if (gap.rest < gap.end) return LOAD(spans, gap.rest);
+    return span_of(NO_SAMPLE, NO_SAMPLE);
 }
 
 // Moves the spans above the gap to the end of the memory. If they are there already, nothing fits.
 BODY Gap open_gap(MEMORY Gap gap) {
     const u32 shift = gap.room - gap.end;
-    for (u32 i = gap.end; i > gap.rest; --i) AT(spans, i - 1u + shift) = AT(spans, i - 1u);
+    for (u32 i = gap.end; i > gap.rest; --i) STORE(spans, i - 1u + shift, LOAD(spans, i - 1u));
     gap.rest += shift;
     gap.end += shift;
     gap.fits = shift > 0u;
@@ -42,49 +44,49 @@ BODY Gap open_gap(MEMORY Gap gap) {
 // Cuts [begin, end) out of the spans.
 BODY Gap cut_out(MEMORY Gap gap, const u32 begin, const u32 end) {
     // Move the gap to the beginning of the chord.
-    while (gap.below.y > begin) {
+    while (gap.below.end > begin) {
         --gap.rest;
         --gap.done;
         gap.above = gap.below;
-        if (gap.done < gap.rest) AT(spans, gap.rest) = gap.above;
+        if (gap.done < gap.rest) STORE(spans, gap.rest, gap.above);
         gap.below = span_below(ON gap);
     }
-    while (gap.above.y <= begin) {
+    while (gap.above.end <= begin) {
         gap.below = gap.above;
-        if (gap.done < gap.rest) AT(spans, gap.done) = gap.below;
+        if (gap.done < gap.rest) STORE(spans, gap.done, gap.below);
         ++gap.done;
         ++gap.rest;
         gap.above = span_above(ON gap);
     }
 
     // Keep the part of the chord's first span that lies below the chord.
-    if (gap.above.x < begin) {
-        const bool is_inside = gap.above.y > end;  // one piece more than before
+    if (gap.above.begin < begin) {
+        const bool is_inside = gap.above.end > end;  // one piece more than before
         if (is_inside && gap.done == gap.rest) gap = open_gap(ON gap);
         if (!gap.fits) return gap;
-        gap.total -= (is_inside ? end : gap.above.y) - begin;
-        gap.below = U32X2(gap.above.x, begin);
+        gap.total -= (is_inside ? end : gap.above.end) - begin;
+        gap.below = span_of(gap.above.begin, begin);
         if (is_inside) {
-            gap.above.x = end;
-            AT(spans, gap.rest) = gap.above;
+            gap.above.begin = end;
+            STORE(spans, gap.rest, gap.above);
         } else {
             ++gap.rest;
             gap.above = span_above(ON gap);
         }
-        AT(spans, gap.done) = gap.below;
+        STORE(spans, gap.done, gap.below);
         ++gap.done;
     }
 
     // Drop covered spans, and keep the part of the chord's last span that lies above the chord.
-    while (gap.above.y <= end) {
-        gap.total -= gap.above.y - gap.above.x;
+    while (gap.above.end <= end) {
+        gap.total -= gap.above.end - gap.above.begin;
         ++gap.rest;
         gap.above = span_above(ON gap);
     }
-    if (gap.above.x < end) {
-        gap.total -= end - gap.above.x;
-        gap.above.x = end;
-        AT(spans, gap.rest) = gap.above;
+    if (gap.above.begin < end) {
+        gap.total -= end - gap.above.begin;
+        gap.above.begin = end;
+        STORE(spans, gap.rest, gap.above);
     }
     return gap;
 }
@@ -95,8 +97,8 @@ BODY u32 reach_on(const Geometry g, const u32 centre, const u32 x) {
 }
 
 // Cuts the chords of a sample on a line with this centre from the tile [begin, end).
-BODY Gap cut_by_sample(MEMORY const Geometry g, const Gap all, const u32 centre,
-                       const u32x2 near_by, const u32 windows, const u32 begin, const u32 end) {
+BODY Gap cut_by_sample(MEMORY const Geometry g, const Gap all, const u32 centre, const Spot near_by,
+                       const u32 windows, const u32 begin, const u32 end) {
     Gap gap = all;
     const u32 reach = reach_on(g, centre, near_by.x);
     for (u32 window = 0u; window < windows && reach != 0u; ++window) {
@@ -135,16 +137,16 @@ BODY void serve_subtract(MEMORY const SlabArguments a, const u32 item) {
                slot + g.capacity,
                AT(tile_lengths, tile),
                true,
-               U32X2(0u, 0u),
-               AT(spans, slot)};
+               span_of(0u, 0u),
+               LOAD(spans, slot)};
     for (u32 i = list * a.near_room; i < near_end && gap.fits; ++i)
-        gap = cut_by_sample(ON g, gap, centre, AT(near, i), windows, begin, end);
+        gap = cut_by_sample(ON g, gap, centre, LOAD(near, i), windows, begin, end);
     if (!gap.fits) ATOMIC_SET(report, OVERFLOW_WORD, 1u);
 
     // Close the gap.
     if (gap.done == gap.rest) gap.done = gap.rest = gap.end;
     while (gap.rest < gap.end) {
-        AT(spans, gap.done) = AT(spans, gap.rest);
+        STORE(spans, gap.done, LOAD(spans, gap.rest));
         ++gap.done;
         ++gap.rest;
     }

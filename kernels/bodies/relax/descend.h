@@ -13,7 +13,7 @@ BODY Pull pull_of_run(MEMORY const DescentArguments a, const Pull before, const 
                       const u32 end, const u32 x, const u32 y) {
     Pull pull = before;
     for (u32 k = begin; k < end; ++k) {
-        const u32x4 other = AT(sorted_movers, k);
+        const Mover other = LOAD(sorted_movers, k);
         const i64 dx = sign_extended(x - other.x);
         const i64 dy = sign_extended(y - other.y);
         const u64 squared = to_u64(dx * dx + dy * dy);
@@ -96,21 +96,20 @@ BODY void serve_descend(MEMORY const DescentArguments a, const u32 item) {
     const u32 end = min((item + 1u) * a.chunk, a.domain.samples);
     const u32 bits = a.domain.bits;
     for (u32 i = item * a.chunk; i < end; ++i) {
-        u32x4 mover = AT(sorted_movers, i);
+        Mover mover = LOAD(sorted_movers, i);
         Pull pull = pull_of_rows(ON a, mover.x, mover.y);
         if (a.domain.wraps == 0u) {
             const Pull edges = pull_of_edges(ON a, mover.x, mover.y);
             pull.x += edges.x;
             pull.y += edges.y;
         }
-        const i32 momentum_x = gaussian_momentum(to_i32(mover.z), pull.x, bits);
-        const i32 momentum_y = gaussian_momentum(to_i32(mover.w), pull.y, bits);
-        mover.x = gaussian_place(mover.x, momentum_x, a.pace, a.domain.width, a.domain.wraps, bits);
-        mover.y =
-            gaussian_place(mover.y, momentum_y, a.pace, a.domain.height, a.domain.wraps, bits);
-        mover.z = to_u32(momentum_x);
-        mover.w = to_u32(momentum_y);
-        AT(movers, i) = mover;
+        mover.momentum_x = gaussian_momentum(mover.momentum_x, pull.x, bits);
+        mover.momentum_y = gaussian_momentum(mover.momentum_y, pull.y, bits);
+        mover.x =
+            gaussian_place(mover.x, mover.momentum_x, a.pace, a.domain.width, a.domain.wraps, bits);
+        mover.y = gaussian_place(mover.y, mover.momentum_y, a.pace, a.domain.height, a.domain.wraps,
+                                 bits);
+        STORE(movers, i, mover);
         AT(mover_ids, i) = AT(sorted_ids, i);
     }
     CHECK_TURNS(a.domain.samples, FAILED_DESCEND);

@@ -5,14 +5,13 @@
 #include "bodies/relax/unit_leaves.h"
 #include "portable/bits.h"
 
-BODY u64 power_of_site(const u32x4 site, const Rect box) {
+BODY u64 power_of_site(const Site site, const Rect box) {
     return least_power(to_i32(site.x), to_i32(site.y), to_i32(site.x), to_i32(site.y),
-                       join_words(site.z, site.w), box);
+                       weight_of(site), box);
 }
 
-BODY Rival rival_in(const u32x4 site, const Rect box) {
-    return rival_of(to_i32(site.x) - box.left, to_i32(site.y) - box.bottom,
-                    join_words(site.z, site.w));
+BODY Rival rival_in(const Site site, const Rect box) {
+    return rival_of(to_i32(site.x) - box.left, to_i32(site.y) - box.bottom, weight_of(site));
 }
 
 // The criteria of a search in a unit.
@@ -29,11 +28,11 @@ BODY Search search_in(MEMORY const LeafArguments a, const Area unit, const u32 l
     search.bound = 0u;
     for (u32 rest = leaves; rest != 0u; rest &= rest - 1u) {
         const Area leaf = leaf_of(a, unit, lowest_bit(rest));
-        const u64 bound = bound_by(a, AT(sites, AT(hints, number_of_leaf(a, leaf))), leaf);
+        const u64 bound = bound_by(a, LOAD(sites, AT(hints, number_of_leaf(a, leaf))), leaf);
         search.bound = bound > search.bound ? bound : search.bound;
     }
     const Area leaf = leaf_of(a, unit, lowest_bit(leaves));
-    const u32x4 site = AT(sites, AT(hints, number_of_leaf(a, leaf)));
+    const Site site = LOAD(sites, AT(hints, number_of_leaf(a, leaf)));
     const u32 image = image_near(a, site, leaf);
     search.first = rival_in(site, rect_of(a, unit, image % 3u, image / 3u));
     return search;
@@ -52,9 +51,11 @@ BODY bool put_rival(MEMORY const LeafArguments a, const u32 slot, const u32 coun
                     const Rival first, const Rect box, const u32 image) {
     if (count >= RIVAL_ROOM) return false;
     const Lag lag =
-        lag_of(rival_in(AT(sites, number), box), first, a.lattice.step_x, a.lattice.step_y);
-    AT(rivals, slot + count) = U32X4(to_u32(lag.at), to_u32(lag.along_x), to_u32(lag.along_y),
-                                     AT(indices, number) * 16u + order_of_image(image));
+        lag_of(rival_in(LOAD(sites, number), box), first, a.lattice.step_x, a.lattice.step_y);
+    const ShortLag rival = {to_i32(to_u32(lag.at)), to_i32(to_u32(lag.along_x)),
+                            to_i32(to_u32(lag.along_y)),
+                            AT(indices, number) * 16u + order_of_image(image)};
+    STORE(rivals, slot + count, rival);
     AT(rival_ids, slot + count) = number * 16u + image;
     return is_short(lag, a.side * LEAF_SIDE - 1u);
 }
@@ -77,7 +78,7 @@ BODY u32 near_sites(MEMORY const LeafArguments a, const u32 first, const Search 
     const u32 height = to_u32(box.top - box.bottom);
     u32 near = 0u;
     for (u32 i = 0u; i < 8u; ++i) {
-        const u32x4 site = AT(sites, min(first + i, a.lattice.samples - 1u));
+        const Site site = LOAD(sites, min(first + i, a.lattice.samples - 1u));
         const bool is_near = power_of_site(site, box) <= search.bound &&
                              can_win(rival_in(site, box), search.first, width, height);
         near = near | (is_near && first + i < a.lattice.samples ? 1u << i : 0u);

@@ -1,7 +1,7 @@
 // Rectangles of the lattice: units and their leaves (portable/relax_kernels.h), and their positions
 // relative to sites. Units with importance are listed by number, row by row; a launch serves a
 // batch of the list.
-#include "portable/power.h"
+#include "bodies/relax/site.h"
 #include "portable/site_tree.h"
 
 // A rectangle of lattice points: the lowest one, and the numbers of columns and rows.
@@ -61,7 +61,7 @@ BODY u32 nearest_image(const u32 at, const u32 place, const u32 period) {
 }
 
 // 3 y + x for the image of a site that is nearest to the area's lowest lattice point.
-BODY u32 image_near(const LeafArguments a, const u32x4 site, const Area area) {
+BODY u32 image_near(const LeafArguments a, const Site site, const Area area) {
     const u32 x =
         nearest_image(site.x, lattice_place(area.left, a.lattice.step_x), a.lattice.period_x);
     const u32 y =
@@ -70,8 +70,8 @@ BODY u32 image_near(const LeafArguments a, const u32x4 site, const Area area) {
 }
 
 // A site that has more power than this everywhere in the area cannot win there.
-BODY u64 bound_by(const LeafArguments a, const u32x4 site, const Area area) {
+BODY u64 bound_by(const LeafArguments a, const Site site, const Area area) {
     const u32 image = image_near(a, site, area);
-    return worst_power(to_i32(site.x), to_i32(site.y), join_words(site.z, site.w),
+    return worst_power(to_i32(site.x), to_i32(site.y), weight_of(site),
                        rect_of(a, area, image % 3u, image / 3u));
 }

@@ -1,27 +1,16 @@
 // The body of level_sites: builds a level of the tree over the sites.
-#include "portable/power.h"
+#include "bodies/relax/site.h"
 #include "portable/site_tree.h"
 
-struct Node {
-    u32x4 box;
-    u64 weight;
-};
-LACUNA_TYPEDEF(Node)
+// What child i of a node has: a node of the level below, or a site.
+BODY Bounds bounds_of_child(MEMORY const SiteArguments a, const u32 i) {
+    if (a.level == 1u) return bounds_of(LOAD(sites, i));
+    return LOAD(node_boxes, a.level_begin * 8u + 1u + i);
+}
 
-// A node of the level below, or a site.
-BODY Node child_of(MEMORY const SiteArguments a, const u32 i) {
-    Node node;
-    if (a.level == 1u) {
-        const u32x4 site = AT(sites, i);
-        node.box = U32X4(site.x, site.y, site.x, site.y);
-        node.weight = join_words(site.z, site.w);
-        return node;
-    }
-    const u32 at = a.level_begin * 8u + 1u + i;
-    const u32x2 weight = AT(node_weights, at);
-    node.box = AT(node_boxes, at);
-    node.weight = join_words(weight.x, weight.y);
-    return node;
+BODY u64 weight_of_child(MEMORY const SiteArguments a, const u32 i) {
+    if (a.level == 1u) return weight_of(LOAD(sites, i));
+    return number_of(LOAD(node_weights, a.level_begin * 8u + 1u + i));
 }
 
 BODY void serve_level_sites(MEMORY const SiteArguments a, const u32 item) {
@@ -30,15 +19,18 @@ BODY void serve_level_sites(MEMORY const SiteArguments a, const u32 item) {
     const u32 end_node = min((item + 1u) * a.chunk, nodes);
     for (u32 index = item * a.chunk; index < end_node; ++index) {
         const u32 end = min(index * 8u + 8u, below);
-        Node all = child_of(ON a, index * 8u);
+        Bounds box = bounds_of_child(ON a, index * 8u);
+        u64 least = weight_of_child(ON a, index * 8u);
         for (u32 i = index * 8u + 1u; i < end; ++i) {
-            const Node node = child_of(ON a, i);
-            all.box = U32X4(min(all.box.x, node.box.x), min(all.box.y, node.box.y),
-                            max(all.box.z, node.box.z), max(all.box.w, node.box.w));
-            all.weight = node.weight < all.weight ? node.weight : all.weight;
+            const Bounds child = bounds_of_child(ON a, i);
+            const u64 weight = weight_of_child(ON a, i);
+            box.low_x = min(box.low_x, child.low_x);
+            box.low_y = min(box.low_y, child.low_y);
+            box.high_x = max(box.high_x, child.high_x);
+            box.high_y = max(box.high_y, child.high_y);
+            least = weight < least ? weight : least;
         }
-        AT(node_boxes, a.level_begin + index) = all.box;
-        AT(node_weights, a.level_begin + index) =
-            U32X2(to_u32(all.weight), to_u32(all.weight >> 32));
+        STORE(node_boxes, a.level_begin + index, box);
+        STORE(node_weights, a.level_begin + index, wide_of(least));
     }
 }

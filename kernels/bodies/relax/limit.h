@@ -1,7 +1,7 @@
 // The body of limit: limits the weight of each site by the squared distance to the nearest other
 // one. An item serves leaves of the tree: nodes of level 1, with up to 8 sites.
+#include "bodies/relax/site.h"
 #include "portable/bits.h"
-#include "portable/power.h"
 #include "portable/site_tree.h"
 
 // The distance between two intervals on an axis, both ends included.
@@ -12,10 +12,11 @@ BODY u32 gap_between(const u32 low, const u32 high, const u32 begin, const u32 l
     return period != 0u ? min(straight, around) : straight;
 }
 
-BODY u64 distance_to_node(MEMORY const SiteArguments a, const u32x4 box, const u32 index) {
-    const u32x4 node = AT(node_boxes, index);
-    return squared_length(gap_between(box.x, box.z, node.x, node.z, a.lattice.period_x),
-                          gap_between(box.y, box.w, node.y, node.w, a.lattice.period_y));
+BODY u64 distance_to_node(MEMORY const SiteArguments a, const Bounds box, const u32 index) {
+    const Bounds node = LOAD(node_boxes, index);
+    return squared_length(
+        gap_between(box.low_x, box.high_x, node.low_x, node.high_x, a.lattice.period_x),
+        gap_between(box.low_y, box.high_y, node.low_y, node.high_y, a.lattice.period_y));
 }
 
 // Until a leaf is done, `limited` has positions, and the least squared distances that were found.
@@ -25,17 +26,17 @@ BODY u64 lower_by_leaf(MEMORY const SiteArguments a, const u32 leaf, const u32 o
     const u32 end_other = min(other * 8u + 8u, a.lattice.samples);
     u64 farthest = 0u;
     for (u32 i = leaf * 8u; i < end; ++i) {
-        const u32x4 site = AT(limited, i);
-        u64 nearest = join_words(site.z, site.w);
-        const u32x4 box = U32X4(site.x, site.y, site.x, site.y);
+        const Site site = LOAD(limited, i);
+        u64 nearest = weight_of(site);
+        const Bounds box = bounds_of(site);
         if (distance_to_node(ON a, box, a.level_begin + other) < nearest) {
             for (u32 j = other * 8u; j < end_other; ++j) {
-                const u32x4 to = AT(sites, j);
+                const Site to = LOAD(sites, j);
                 const u64 distance = power_of(site.x, site.y, to.x, to.y, 0u, a.lattice.period_x,
                                               a.lattice.period_y);
                 nearest = j != i && distance < nearest ? distance : nearest;
             }
-            AT(limited, i) = U32X4(site.x, site.y, to_u32(nearest), to_u32(nearest >> 32));
+            STORE(limited, i, with_weight(site, nearest));
         }
         farthest = nearest > farthest ? nearest : farthest;
     }
@@ -43,7 +44,7 @@ BODY u64 lower_by_leaf(MEMORY const SiteArguments a, const u32 leaf, const u32 o
 }
 
 // The next node of level 2 that is nearer to the box; beyond the root if there is none.
-BODY Cursor next_near_node(MEMORY const SiteArguments a, Cursor at, const u32x4 box,
+BODY Cursor next_near_node(MEMORY const SiteArguments a, Cursor at, const Bounds box,
                            const u64 farthest) {
     while (at.level <= a.depth) {
         const bool is_near = distance_to_node(ON a, box, at.begin + at.index) < farthest;
@@ -55,7 +56,7 @@ BODY Cursor next_near_node(MEMORY const SiteArguments a, Cursor at, const u32x4 
 
 // Bit i is set if leaf first + i is nearer to the box. In a loop without branches, which processors
 // run on several leaves at once.
-BODY u32 near_leaves(MEMORY const SiteArguments a, const u32 first, const u32x4 box,
+BODY u32 near_leaves(MEMORY const SiteArguments a, const u32 first, const Bounds box,
                      const u64 farthest) {
     const u32 leaves = nodes_of_level(a.lattice.samples, 1u);
     u32 near = 0u;
@@ -69,7 +70,7 @@ BODY u32 near_leaves(MEMORY const SiteArguments a, const u32 first, const u32x4 
 
 // The leaf itself comes first: its sites are near each other, so that most others are skipped.
 BODY void find_nearest(MEMORY const SiteArguments a, const u32 leaf) {
-    const u32x4 box = AT(node_boxes, a.level_begin + leaf);
+    const Bounds box = LOAD(node_boxes, a.level_begin + leaf);
     u64 farthest = lower_by_leaf(ON a, leaf, leaf);
     Cursor at;
     at.level = a.depth;
@@ -90,17 +91,16 @@ BODY void find_nearest(MEMORY const SiteArguments a, const u32 leaf) {
 BODY void limit_leaf(MEMORY const SiteArguments a, const u32 leaf) {
     const u32 end = min(leaf * 8u + 8u, a.lattice.samples);
     for (u32 i = leaf * 8u; i < end; ++i) {
-        const u32x4 site = AT(sites, i);
-        const u64 reach = reach_of_weight(a.lattice.farthest, join_words(site.z, site.w));
-        AT(limited, i) = U32X4(site.x, site.y, to_u32(reach), to_u32(reach >> 32));
+        const Site site = LOAD(sites, i);
+        const u64 reach = reach_of_weight(a.lattice.farthest, weight_of(site));
+        STORE(limited, i, with_weight(site, reach));
     }
     find_nearest(ON a, leaf);
     for (u32 i = leaf * 8u; i < end; ++i) {
-        const u32x4 site = AT(sites, i);
-        const u32x4 found = AT(limited, i);
-        const u64 weight = bounded_weight(a.lattice.farthest, join_words(site.z, site.w),
-                                          join_words(found.z, found.w));
-        AT(limited, i) = U32X4(site.x, site.y, to_u32(weight), to_u32(weight >> 32));
+        const Site site = LOAD(sites, i);
+        const u64 weight =
+            bounded_weight(a.lattice.farthest, weight_of(site), weight_of(LOAD(limited, i)));
+        STORE(limited, i, with_weight(site, weight));
     }
 }
 

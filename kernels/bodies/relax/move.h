@@ -1,9 +1,9 @@
 // The body of move: a site moves towards its centre of mass, and its weight follows its mass.
-#include "portable/power.h"
+#include "bodies/relax/site.h"
 #include "portable/site_tree.h"
 
 BODY void move_site(MEMORY const SiteArguments a, const u32 i) {
-    u32x4 site = AT(sites, i);
+    Site site = LOAD(sites, i);
     const u64 mass = join_words(AT(shares, 4u * i + 2u), AT(shares, 4u * i + 3u));
     if (mass != 0u) {
         const u32 x =
@@ -17,11 +17,8 @@ BODY void move_site(MEMORY const SiteArguments a, const u32 i) {
         site.y =
             moved_place(site.y, y, a.way, a.lattice.rows * a.lattice.step_y, a.lattice.period_y);
     }
-    const u64 weight =
-        moved_weight(a.lattice, join_words(site.z, site.w), mass, AT(shares, 4u * i));
-    site.z = to_u32(weight);
-    site.w = to_u32(weight >> 32);
-    AT(sites, i) = site;
+    const u64 weight = moved_weight(a.lattice, weight_of(site), mass, AT(shares, 4u * i));
+    STORE(sites, i, with_weight(site, weight));
 }
 
 BODY void serve_move(MEMORY const SiteArguments a, const u32 item) {

@@ -1,9 +1,9 @@
 // The least power that sites of a node of the tree can have in a rectangle of the lattice.
+#include "bodies/relax/site.h"
 #include "portable/site_tree.h"
 
 BODY u64 power_of_node(MEMORY const u32 index, const Rect box) {
-    const u32x4 node = AT(node_boxes, index);
-    const u32x2 weight = AT(node_weights, index);
-    return least_power(to_i32(node.x), to_i32(node.y), to_i32(node.z), to_i32(node.w),
-                       join_words(weight.x, weight.y), box);
+    const Bounds node = LOAD(node_boxes, index);
+    return least_power(to_i32(node.low_x), to_i32(node.low_y), to_i32(node.high_x),
+                       to_i32(node.high_y), number_of(LOAD(node_weights, index)), box);
 }

@@ -1,10 +1,9 @@
 // Searches the owner of a lattice point among all sites.
-#include "portable/power.h"
+#include "bodies/relax/site.h"
 #include "portable/site_tree.h"
 
-BODY u64 power_at(const LeafArguments a, const u32x4 site, const u32 x, const u32 y) {
-    return power_of(x, y, site.x, site.y, join_words(site.z, site.w), a.lattice.period_x,
-                    a.lattice.period_y);
+BODY u64 power_at(const LeafArguments a, const Site site, const u32 x, const u32 y) {
+    return power_of(x, y, site.x, site.y, weight_of(site), a.lattice.period_x, a.lattice.period_y);
 }
 
 // The distance from `at`, or from an image of it, to [low, high] on an axis.
@@ -21,24 +20,24 @@ BODY u32 gap_around(const u32 low, const u32 high, const u32 at, const u32 perio
 // The site with the least power; among equals the lowest index.
 BODY u32 owner_of(MEMORY const LeafArguments a, const u32 hint, const u32 x, const u32 y) {
     u32 owner = hint;
-    u64 least = power_at(a, AT(sites, hint), x, y);
+    u64 least = power_at(a, LOAD(sites, hint), x, y);
     Cursor at;
     at.level = a.depth;
     at.index = 0u;
     at.begin = 0u;
     while (at.level <= a.depth) {
         if (at.level != 0u) {
-            const u32x4 node = AT(node_boxes, at.begin + at.index);
-            const u32x2 weight = AT(node_weights, at.begin + at.index);
-            const u64 power = squared_length(gap_around(node.x, node.z, x, a.lattice.period_x),
-                                             gap_around(node.y, node.w, y, a.lattice.period_y)) +
-                              join_words(weight.x, weight.y);
+            const Bounds node = LOAD(node_boxes, at.begin + at.index);
+            const u64 power =
+                squared_length(gap_around(node.low_x, node.high_x, x, a.lattice.period_x),
+                               gap_around(node.low_y, node.high_y, y, a.lattice.period_y)) +
+                number_of(LOAD(node_weights, at.begin + at.index));
             if (power <= least) {
                 at = below_cursor(at);
                 continue;
             }
         } else {
-            const u64 power = power_at(a, AT(sites, at.index), x, y);
+            const u64 power = power_at(a, LOAD(sites, at.index), x, y);
             if (power < least || (power == least && AT(indices, at.index) < AT(indices, owner))) {
                 least = power;
                 owner = at.index;

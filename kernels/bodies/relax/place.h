@@ -19,12 +19,12 @@ struct Near {
 LACUNA_TYPEDEF(Near)
 
 BODY Near near_at(MEMORY const Place place, const u32 i) {
-    const u32x4 rival = AT(rivals, place.slot + i);
+    const ShortLag rival = LOAD(rivals, place.slot + i);
     Near near;
-    near.along_x = to_i32(rival.y);
-    near.along_y = to_i32(rival.z);
-    near.at = to_i32(rival.x) + place.right * near.along_x + place.up * near.along_y;
-    near.order = rival.w;
+    near.along_x = rival.along_x;
+    near.along_y = rival.along_y;
+    near.at = rival.at + place.right * rival.along_x + place.up * rival.along_y;
+    near.order = rival.order;
     return near;
 }
 

@@ -29,8 +29,8 @@ RoundMemory thrown_at(const Plan& plan, std::uint32_t count, tests::Chance chanc
         scene.candidates.push_back({chance.below(plan.width), chance.below(plan.height), 0, order});
     scene.statuses.assign(count, STATUS_UNDECIDED);
     round.restore(scene, [&](Candidate& candidate) {
-        candidate.line = candidate.x / plan.strip_width;
-        return portable::column_of_line(candidate.line, plan.lines, round.columns);
+        candidate.home = candidate.x / plan.strip_width;
+        return portable::column_of_line(candidate.home, plan.lines, round.columns);
     });
     return round;
 }

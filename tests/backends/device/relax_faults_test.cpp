@@ -115,16 +115,15 @@ TEST_P(RelaxFaults, InTheCarryOfSumsAreNoticed) {
 
 TEST_P(RelaxFaults, InMoveAreNoticed) {
     expect_noticed(torus_,
-                   {{"bodies/relax/move.h", "site.z = to_u32(weight)", "site.z = 0u"},
-                    {"bodies/relax/level_sites.h", "max(all.box.z, node.box.z)", "all.box.z"},
-                    {"bodies/relax/level_sites.h",
-                     "node.weight < all.weight ? node.weight :", "node.weight +"}});
+                   {{"bodies/relax/move.h", "with_weight(site, weight)", "with_weight(site, 0u)"},
+                    {"bodies/relax/level_sites.h", "max(box.high_x, child.high_x)", "box.high_x"},
+                    {"bodies/relax/level_sites.h", "weight < least ? weight :", "weight +"}});
 }
 
 TEST_P(RelaxFaults, InLimitsOfWeightsAreNoticed) {
     expect_noticed(torus_,
-                   {{"bodies/relax/limit.h", "= bounded_weight(",
-                     "= join_words(site.z, site.w) + 0u * bounded_weight("},
+                   {{"bodies/relax/limit.h", "weight =\n            bounded_weight(",
+                     "weight = weight_of(site) + 0u * bounded_weight("},
                     {"bodies/relax/limit.h", "j != i &&", "false &&"},
                     {"bodies/relax/limit.h", "min(straight, around)", "straight"},
                     {"bodies/relax/limit.h", "if (other != leaf)", "if (false)"},

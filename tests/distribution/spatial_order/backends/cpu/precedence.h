@@ -10,7 +10,7 @@
 namespace lacuna::cpu {
 
 inline bool precedes(const Candidate& a, const Candidate& b) {
-    return a.line != b.line ? a.line < b.line : a.y < b.y;
+    return a.home != b.home ? a.home < b.home : a.y < b.y;
 }
 
 // Candidates are numbered column by column, line by line.
