@@ -1,8 +1,8 @@
-// The active boxes of mode exact on a device, with either neighbour index. They are the bins from
-// the first refinement or, with a radius field, from the first round.
+// The active boxes of mode exact on a device: how they are refined, whichever neighbour index finds
+// the samples that cut them. They are the bins from the first refinement or, with a radius field,
+// from the first round.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -14,25 +14,15 @@
 
 namespace lacuna::device {
 
-// See Bins for the order of the calls.
+// See Bins for the order of the calls. A class for each neighbour index derives from this one:
+// GridBoxes below, and ListBoxes in list_boxes.h.
 class Boxes {
 public:
-    // `width` is 0 where widths differ.
-    Boxes(RoundMemory& round, std::uint32_t width);
+    virtual ~Boxes() = default;
+    Boxes(const Boxes&) = delete;
+    Boxes& operator=(const Boxes&) = delete;
 
-    // The width of every box; not with a radius field, where widths() has it.
-    std::uint32_t width() const { return width_; }
-    // The first box of each column of lines, then the number of boxes: for Round::bin_begins.
-    std::span<const std::uint32_t> begins() const { return bin_begins_; }
     std::span<const std::uint32_t> free_lengths() const { return sizes_.first(count_); }
-    std::span<const std::uint32_t> widths() const {
-        return has_field() ? sizes_.subspan(count_, count_) : sizes_.first(0);
-    }
-    // With classes, as in Round.
-    std::span<const std::uint32_t> sheet_ends() const { return sheet_ends_; }
-
-    // Replaces the boxes. `origins`: see portable/kernels.h; empty without a radius field. Waits.
-    void put(std::span<const Box> boxes, std::span<const std::uint32_t> origins);
     std::vector<Box> get() const;
 
     // Makes room for `count` boxes, which a kernel will write.
@@ -45,10 +35,44 @@ public:
 
     // Returns true if there were more pieces than room. Then it queues writing them with more room.
     bool queue_rest();
-    void download();
-    void end_round();
+    virtual void download();
+    virtual void end_round();
 
-private:
+protected:
+    // What differs between the indices, and does not change.
+    struct Kind {
+        std::uint32_t strip_bits;    // a halved box is cut into at most 2^strip_bits strips
+        std::uint32_t words_of_bin;  // of results[], for each new box
+        Span own;                    // boxes with x in it are cut
+    };
+    Boxes(RoundMemory& round, Kind kind) : round_(round), kind_(kind) {}
+
+    // Replaces the boxes, and what results[] had of them. Waits.
+    void put(std::span<const Box> boxes, std::vector<std::uint32_t> sizes);
+
+    // How many more boxes than now a refinement is likely to leave.
+    virtual std::uint32_t more_boxes(bool halve) const = 0;
+    // Makes room for what cut writes of `boxes` boxes besides their pieces, and keep of `room`.
+    virtual void make_room_to_cut(std::uint64_t boxes, bool halve) = 0;
+    virtual void make_room_to_keep(std::uint64_t room) = 0;
+    virtual void queue_cut(bool halve) = 0;
+    // Writes the pieces, and what results[] has of them.
+    virtual void queue_keep() = 0;
+    // Queues what is to follow the round's samples.
+    virtual void queue_last() {}
+
+    // Serves the first `count` boxes, or new boxes, `chunk` of them for each item.
+    template <typename Kernel>
+    void launch_over_boxes(std::uint32_t count, std::uint32_t chunk, std::uint64_t work_of_box) {
+        launch<Kernel>(round_.queue, round_.memory, arguments(chunk), items_of(count, chunk),
+                       work_of_box * chunk);
+    }
+    std::uint32_t strip_bits() const { return refinement_->is_halving ? kind_.strip_bits : 0; }
+
+    // The work of a box, see Queue::launch.
+    static constexpr std::uint64_t kCutWork = 16;
+    static constexpr std::uint64_t kKeepWork = 4;
+
     // A refinement that has been queued.
     struct Refinement {
         bool is_halving;
@@ -56,27 +80,44 @@ private:
         std::uint32_t room;  // for new boxes
     };
 
-    bool has_field() const { return round_.plan.has_field(); }
-    std::uint32_t strip_bits() const;
-    std::uint32_t expected_pieces(bool halve) const;
-    // Serves the first `count` boxes, or new boxes, `chunk` of them for each item.
-    template <typename Kernel>
-    void launch_over_boxes(std::uint32_t count, std::uint32_t chunk, std::uint64_t work_of_box);
+    RoundMemory& round_;
+    const Kind kind_;
+    std::uint32_t count_ = 0;
+    std::span<const std::uint32_t> sizes_;  // words_of_bin words of each box, the lengths first
+    std::optional<Refinement> refinement_;
+
+private:
+    portable::StripArguments arguments(std::uint32_t chunk) const;
     RoundMemory::Listing listing() const;
     void make_room_for_pieces();
     void keep();
-    void set_sizes(std::span<const Box> boxes);
 
-    RoundMemory& round_;
-    std::uint32_t width_;
-    std::uint32_t count_ = 0;
-    std::vector<std::uint32_t> bin_begins_;
-    std::span<const std::uint32_t> sizes_;    // lengths; with a radius field then widths
     std::vector<std::uint32_t> first_sizes_;  // of boxes that no kernel has made
-    std::vector<std::uint32_t> sheet_ends_;
-    std::vector<Box> new_boxes_;  // with classes, as downloaded
+};
 
-    std::optional<Refinement> refinement_;
+// Boxes cut by the sample grid: all are equally wide.
+class GridBoxes final : public Boxes {
+public:
+    GridBoxes(RoundMemory& round, std::uint32_t width);
+
+    std::uint32_t width() const { return width_; }
+    // The first box of each column of lines, then the number of boxes: for Round::bin_begins.
+    std::span<const std::uint32_t> begins() const { return bin_begins_; }
+
+    void put(std::span<const Box> boxes);
+    void download() override;
+    void end_round() override;
+
+private:
+    std::uint32_t more_boxes(bool) const override { return 0; }
+    void make_room_to_cut(std::uint64_t, bool) override {}
+    void make_room_to_keep(std::uint64_t) override {}
+    void queue_cut(bool halve) override;
+    void queue_keep() override;
+    void queue_last() override;
+
+    std::uint32_t width_;
+    std::vector<std::uint32_t> bin_begins_;
 };
 
 }  // namespace lacuna::device

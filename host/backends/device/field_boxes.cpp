@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "backends/device/bins.h"
-#include "backends/device/boxes.h"
 #include "backends/device/field_tables.h"
+#include "backends/device/list_boxes.h"
 #include "backends/device/neighbour_lists.h"
 #include "backends/field_snapshot.h"
 #include "plan/first_boxes.h"
@@ -25,7 +25,7 @@ constexpr std::uint64_t kListScreenWork = 2;
 class FieldBoxes : public Bins {
 public:
     explicit FieldBoxes(RoundMemory& round)
-        : Bins(round), first_(*round.plan.field().first_boxes), boxes_(round, 0), lists_(round) {
+        : Bins(round), first_(*round.plan.field().first_boxes), boxes_(round), lists_(round) {
         make_tables();
         put_first_boxes();
         find_disk_areas();
@@ -162,7 +162,7 @@ private:
     }
 
     const FirstBoxes& first_;
-    Boxes boxes_;
+    ListBoxes boxes_;
     NeighbourLists lists_;
     // The fraction of the domain that a candidate's disk covers: on average, and at most.
     double mean_disk_area_ = 0;

@@ -155,7 +155,7 @@ public:
         spans_.clear();
         if (snapshot.box_width == 0) return put_spans(snapshot);
         boxes_.emplace(round_, snapshot.box_width);
-        boxes_->put(snapshot.boxes, {});
+        boxes_->put(snapshot.boxes);
     }
 
 private:
@@ -294,7 +294,7 @@ private:
     std::uint64_t largest_slab_;
     std::vector<std::uint32_t> first_lines_;
     Grid grid_;
-    std::optional<Boxes> boxes_;  // from the first refinement on, in place of spans
+    std::optional<GridBoxes> boxes_;  // from the first refinement on, in place of spans
     std::vector<Slab> slabs_;
     std::vector<Buffer> spans_;                    // of each slab; freed at the first refinement
     std::span<const std::uint32_t> free_lengths_;  // of the lines
