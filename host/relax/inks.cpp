@@ -16,7 +16,7 @@
 #include "plan/checked_request.h"
 #include "relax/lattice.h"
 #include "relax/relax_backends.h"
-#include "relax/stratified.h"
+#include "sampling/stratified.h"
 
 namespace lacuna {
 namespace {
@@ -83,7 +83,7 @@ Request request_of(const Field& density, std::span<const InkPart> inks, std::uin
 // Gives each place on the curve an ink: among the inks that are wanted on its pixel and have dots
 // left, the one whose dots up to there are fewest compared with its own cdf. If no ink is wanted
 // there, any ink that has dots left will do.
-class InkOfPlace : public relaxing::OnCurve {
+class InkOfPlace : public OnCurve {
 public:
     InkOfPlace(std::span<const InkPart> inks, std::span<const Lattice> lattices) {
         for (std::size_t k = 0; k < inks.size(); ++k) {
@@ -258,7 +258,7 @@ InkDots place_inks(std::span<const InkPart> inks, std::uint64_t seed, const Rela
     InkOfPlace ink_of_place(inks, lattices);
     observer.begin(Verb::invert);
     const std::vector<Point> start =
-        ink_of_place.by_ink(relaxing::stratified_points(request, poll, &ink_of_place));
+        ink_of_place.by_ink(stratified_points(request, poll, &ink_of_place));
     observer.end(Verb::invert);
     lattices.push_back(all);
 

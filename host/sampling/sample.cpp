@@ -15,10 +15,10 @@
 #include "plan/kept.h"
 #include "plan/make_plan.h"
 #include "plan/plan.h"
-#include "relax/stratified.h"
 #include "sampling/count_search.h"
 #include "sampling/generate.h"
 #include "sampling/progressive.h"
+#include "sampling/stratified.h"
 
 namespace lacuna {
 namespace {
@@ -67,7 +67,7 @@ private:
 Result stratified(const Request& request, Observer& observer, const Poll& poll) {
     Result result;
     observer.begin(Verb::invert);
-    result.points = relaxing::stratified_points(request, poll);
+    result.points = stratified_points(request, poll);
     observer.end(Verb::invert);
     result.draws = result.points.size();
     result.backend = "cpu";

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace lacuna::relaxing {
+namespace lacuna {
 
 struct Cell {
     std::int64_t x;
@@ -105,4 +105,4 @@ inline Way way_to(bool& at_right, bool& at_top, std::int64_t dx, std::int64_t dy
     return way;
 }
 
-}  // namespace lacuna::relaxing
+}  // namespace lacuna

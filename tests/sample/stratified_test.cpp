@@ -1,4 +1,4 @@
-// The stratified start: every part of the domain has its share of the points, on every shape of
+// Mode stratified: every part of the domain has its share of the points, on every shape of
 // picture, and the same points everywhere.
 #include <gtest/gtest.h>
 
@@ -16,11 +16,9 @@
 
 #include "fields.h"
 #include "refusal.h"
-#include "relax/curve.h"
+#include "sampling/curve.h"
 
-namespace lacuna::relaxing::tests {
-
-using lacuna::tests::refusal_of;
+namespace lacuna::tests {
 
 Request stratified(std::uint64_t count, std::uint64_t seed = 0) {
     Request request;
@@ -232,4 +230,4 @@ TEST(AStratifiedStart, RefusesWhatItHasNoUseFor) {
               "border with mode stratified: is for mode exact only");
 }
 
-}  // namespace lacuna::relaxing::tests
+}  // namespace lacuna::tests

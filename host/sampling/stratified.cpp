@@ -1,5 +1,5 @@
-// The stratified start: inverts the cdf of importance along a Hilbert curve.
-#include "relax/stratified.h"
+// Mode stratified: inverts the cdf of importance along a Hilbert curve.
+#include "sampling/stratified.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "relax/curve.h"
 #include "relax/lattice.h"
 #include "rounds/random.h"
+#include "sampling/curve.h"
 
-namespace lacuna::relaxing {
+namespace lacuna {
 namespace {
 
 __extension__ using Wide = unsigned __int128;
@@ -27,7 +27,7 @@ struct Cells {
     std::uint32_t cut_y = 1;
 
     Cells(const Request& request, const Field& the_field, const Poll& poll)
-        : field(the_field), masses(masses_of(field, poll)) {
+        : field(the_field), masses(relaxing::masses_of(field, poll)) {
         constexpr double kMostCells = 1 << 28;
         const double aspect =
             request.domain.width / field.columns / (request.domain.height / field.rows);
@@ -141,7 +141,7 @@ private:
 }  // namespace
 
 std::vector<Point> stratified_points(const Request& request, const Poll& poll, OnCurve* listener) {
-    const Cells cells(request, field_or_even(request.field), poll);
+    const Cells cells(request, relaxing::field_or_even(request.field), poll);
     if (listener != nullptr) listener->begin(std::uint64_t{cells.cut_x} * cells.cut_y);
     Walk walk(request, cells, listener);
     std::size_t visited = 0;
@@ -152,4 +152,4 @@ std::vector<Point> stratified_points(const Request& request, const Poll& poll, O
     return walk.finish();
 }
 
-}  // namespace lacuna::relaxing
+}  // namespace lacuna

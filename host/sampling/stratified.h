@@ -1,4 +1,5 @@
-// The stratified start of relax: as many points as asked for, in proportion to the importance.
+// Mode stratified: as many points as asked for, in proportion to the importance. Relaxing begins
+// with them.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -8,7 +9,7 @@
 
 #include "base/polling.h"
 
-namespace lacuna::relaxing {
+namespace lacuna {
 
 // Is told what the curve passes: pixels count row by row from the lowest.
 class OnCurve {
@@ -29,4 +30,4 @@ public:
 std::vector<Point> stratified_points(const Request& request, const Poll& poll,
                                      OnCurve* listener = nullptr);
 
-}  // namespace lacuna::relaxing
+}  // namespace lacuna
