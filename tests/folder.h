@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace lacuna::test {
+namespace lacuna::tests {
 
 // A new folder, deleted with its content at the end of the test.
 class Folder {
@@ -53,4 +53,4 @@ inline void write_file(const std::string& path, const std::string& content) {
     std::ofstream(path, std::ios::binary) << content;
 }
 
-}  // namespace lacuna::test
+}  // namespace lacuna::tests

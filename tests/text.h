@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-namespace lacuna::test {
+namespace lacuna::tests {
 
 inline bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -17,4 +17,4 @@ inline std::size_t occurrences(const std::string& text, const std::string& part)
     return count;
 }
 
-}  // namespace lacuna::test
+}  // namespace lacuna::tests

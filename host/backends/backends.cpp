@@ -8,10 +8,10 @@
 #include "backends/cpu/cpu_backend.h"
 #include "backends/device/choice.h"
 #ifdef LACUNA_OPENCL
-#include "backends/opencl/make_backend.h"
+#include "backends/opencl/opencl_backend.h"
 #endif
 #ifdef LACUNA_VULKAN
-#include "backends/vulkan/make_backend.h"
+#include "backends/vulkan/vulkan_backend.h"
 #endif
 #include "plan/sizes.h"
 

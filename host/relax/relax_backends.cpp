@@ -5,15 +5,15 @@
 
 #include "backends/backends.h"
 #ifdef LACUNA_OPENCL
-#include "backends/opencl/make_backend.h"
+#include "backends/opencl/opencl_backend.h"
 #endif
 #ifdef LACUNA_VULKAN
-#include "backends/vulkan/make_backend.h"
+#include "backends/vulkan/vulkan_backend.h"
 #endif
+#include "relax/cpu/cpu_relax.h"
 #include "relax/cpu/gaussian.h"
-#include "relax/cpu/make_backend.h"
+#include "relax/device/device_relax.h"
 #include "relax/device/gaussian.h"
-#include "relax/device/make_backend.h"
 #include "relax/gaussian_reference.h"
 #include "relax/reference.h"
 

@@ -1,7 +1,7 @@
 // The bits of a lattice line in 32-bit words: bit y % 32 of word y / 32 stands for height y.
 #ifndef LACUNA_PORTABLE_BITS_H
 #define LACUNA_PORTABLE_BITS_H
-#include "prelude.h"
+#include "types.h"
 
 LACUNA_BEGIN
 

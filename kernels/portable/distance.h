@@ -1,7 +1,7 @@
 // Distances on the domain, torus or box.
 #ifndef LACUNA_PORTABLE_DISTANCE_H
 #define LACUNA_PORTABLE_DISTANCE_H
-#include "prelude.h"
+#include "types.h"
 
 LACUNA_BEGIN
 

@@ -5,7 +5,7 @@
 // is aligned to its size; in GLSL, where drivers access a struct word by word, as a vector.
 #ifndef LACUNA_PORTABLE_ELEMENTS_H
 #define LACUNA_PORTABLE_ELEMENTS_H
-#include "prelude.h"
+#include "types.h"
 
 #if defined(__cplusplus) || defined(__OPENCL_C_VERSION__)
 #if defined(__cplusplus)

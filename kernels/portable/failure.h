@@ -1,7 +1,7 @@
 // Flags that a kernel raises if it could not finish its work.
 #ifndef LACUNA_PORTABLE_FAILURE_H
 #define LACUNA_PORTABLE_FAILURE_H
-#include "prelude.h"
+#include "types.h"
 
 #define FAILED_LOCATE 1u
 #define FAILED_SORT_COLUMNS 2u

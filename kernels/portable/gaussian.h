@@ -14,7 +14,7 @@
 //             is less than 2^62, and an item's loops take less than 2^16 turns
 #ifndef LACUNA_PORTABLE_GAUSSIAN_H
 #define LACUNA_PORTABLE_GAUSSIAN_H
-#include "prelude.h"
+#include "types.h"
 
 LACUNA_BEGIN
 

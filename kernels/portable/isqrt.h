@@ -1,7 +1,7 @@
 // The exact integer square root: any estimate, corrected by comparing whole numbers.
 #ifndef LACUNA_PORTABLE_ISQRT_H
 #define LACUNA_PORTABLE_ISQRT_H
-#include "prelude.h"
+#include "types.h"
 
 LACUNA_BEGIN
 

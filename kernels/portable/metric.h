@@ -2,7 +2,7 @@
 // mode cells. Radii are in units of 1/256 of a lattice step.
 #ifndef LACUNA_PORTABLE_METRIC_H
 #define LACUNA_PORTABLE_METRIC_H
-#include "prelude.h"
+#include "types.h"
 
 #define METRIC_MIN 0u
 #define METRIC_MEAN 1u

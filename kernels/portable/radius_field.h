@@ -1,7 +1,7 @@
 // The tables from which kernels read a radius field. backends/device/field_tables.h makes them.
 #ifndef LACUNA_PORTABLE_RADIUS_FIELD_H
 #define LACUNA_PORTABLE_RADIUS_FIELD_H
-#include "prelude.h"
+#include "types.h"
 
 // The table `axes` has the axes of the field's pixels and of the mask's pixels. Without a mask its
 // axes have 0 pixels.

@@ -3,7 +3,7 @@
 // class of a sample, a candidate or a box.
 #ifndef LACUNA_PORTABLE_SHEETS_H
 #define LACUNA_PORTABLE_SHEETS_H
-#include "prelude.h"
+#include "types.h"
 
 // The most classes there can be, and the bits of x below which there is one sheet alone.
 #define MOST_CLASSES 16u

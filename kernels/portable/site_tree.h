@@ -7,7 +7,7 @@
 // nodes as the level above it.
 #ifndef LACUNA_PORTABLE_SITE_TREE_H
 #define LACUNA_PORTABLE_SITE_TREE_H
-#include "prelude.h"
+#include "types.h"
 
 LACUNA_BEGIN
 

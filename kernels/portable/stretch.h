@@ -1,7 +1,7 @@
 // Stretches: runs of lines, columns or cells on an axis that may wrap.
 #ifndef LACUNA_PORTABLE_STRETCH_H
 #define LACUNA_PORTABLE_STRETCH_H
-#include "prelude.h"
+#include "types.h"
 
 LACUNA_BEGIN
 

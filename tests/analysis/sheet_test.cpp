@@ -17,8 +17,8 @@ namespace lacuna::analysis {
 namespace sheet_test {
 
 using drawing::Medium;
-using test::contains;
-using test::occurrences;
+using tests::contains;
+using tests::occurrences;
 
 std::string sheet_of(const Sets& sets, Medium medium, const Domain& domain = {1, 1, true}) {
     return draw_sheet(analyse(sets, domain, {}, carry_on), sets.front(), medium);

@@ -14,10 +14,10 @@
 #include "backends/device/layout.h"
 #include "plan/make_plan.h"
 #ifdef LACUNA_OPENCL
-#include "backends/opencl/make_backend.h"
+#include "backends/opencl/opencl_backend.h"
 #endif
 #ifdef LACUNA_VULKAN
-#include "backends/vulkan/make_backend.h"
+#include "backends/vulkan/vulkan_backend.h"
 #endif
 
 namespace lacuna::tests {

@@ -88,7 +88,7 @@ struct Given {
                                           {"rings.txt", &lines},
                                           {"grey.pgm", &picture},
                                           {"colours.ppm", &colours}})
-            test::write_file(path(name), *bytes);
+            tests::write_file(path(name), *bytes);
     }
 
     std::uint32_t side;
@@ -101,7 +101,7 @@ struct Given {
     std::vector<Ellipse> ellipses;
     std::vector<std::uint64_t> seeds;
     std::string picture, colours, geojson, svg, lines;
-    test::Folder folder;
+    tests::Folder folder;
 };
 
 using Shared = std::shared_ptr<const Given>;

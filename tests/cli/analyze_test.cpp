@@ -12,7 +12,7 @@
 
 namespace {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 using Json = nlohmann::json;
 
 // n x n points, 1 / n apart.

@@ -16,7 +16,7 @@
 namespace arrives_test {
 
 using namespace lacuna;
-using namespace lacuna::test;
+using namespace lacuna::tests;
 
 std::vector<Point> points_by(const Folder& folder, Words command, const Words& options) {
     command.insert(command.end(), options.begin(), options.end());

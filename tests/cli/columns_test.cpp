@@ -14,7 +14,7 @@
 
 namespace columns_test {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 using lacuna::files::Format;
 using lacuna::files::SetsOfFile;
 

@@ -11,7 +11,7 @@
 
 namespace compare_test {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 using Json = nlohmann::json;
 
 // Small requests in all three modes.

@@ -12,7 +12,7 @@
 
 namespace {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 
 const std::string kFolder =
     std::string(LACUNA_PROGRAM).substr(0, std::string(LACUNA_PROGRAM).find_last_of('/'));

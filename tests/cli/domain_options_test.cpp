@@ -16,7 +16,7 @@
 namespace domain_options_test {
 
 using namespace lacuna;
-using namespace lacuna::test;
+using namespace lacuna::tests;
 using Names = std::vector<std::string>;
 using Json = nlohmann::json;
 
@@ -24,7 +24,7 @@ using Json = nlohmann::json;
 Outcome sample_to(const std::string& output, Names arguments) {
     arguments.insert(arguments.begin(), "sample");
     arguments.insert(arguments.end(), {"--quiet", "-o", output});
-    return test::run(arguments);
+    return tests::run(arguments);
 }
 
 std::vector<Point> points_of(const Folder& folder, Names arguments) {
@@ -54,10 +54,10 @@ TEST(SampleInsidePolygons, MayBeGivenSeveralFilesAndOthersToLeaveOut) {
     EXPECT_EQ(options.at("outside"), pond);
     Names proof{"verify", json};
     proof.insert(proof.end(), where.begin(), where.end());
-    const Outcome proven = test::run(proof);
+    const Outcome proven = tests::run(proof);
     EXPECT_EQ(proven.exit_code, 0) << proven.out;
     proof.resize(proof.size() - 2);  // without the pond
-    const Outcome asked = test::run(proof);
+    const Outcome asked = tests::run(proof);
     EXPECT_EQ(asked.exit_code, 2);
     EXPECT_NE(asked.err.find("made with --outside " + pond), std::string::npos) << asked.err;
 }

@@ -16,13 +16,13 @@
 namespace ellipses_test {
 
 using namespace lacuna;
-using namespace lacuna::test;
+using namespace lacuna::tests;
 using Names = std::vector<std::string>;
 
 Outcome run_with(const std::string& name, Names first, const Names& more) {
     first.insert(first.begin(), name);
     first.insert(first.end(), more.begin(), more.end());
-    return test::run(first);
+    return tests::run(first);
 }
 
 // An array of rows x columns x 3 doubles.

@@ -10,7 +10,7 @@
 
 #include "program.h"
 
-namespace lacuna::test {
+namespace lacuna::tests {
 
 using Words = std::vector<std::string>;
 
@@ -46,4 +46,4 @@ inline void expect_one_error(const Outcome& outcome, int code, const Words& piec
     expect_has(outcome.err, pieces);
 }
 
-}  // namespace lacuna::test
+}  // namespace lacuna::tests

@@ -18,7 +18,7 @@
 
 namespace {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 
 TEST(AFormat, OfStandardOutputIsWhatFormatSays) {
     const Folder folder;

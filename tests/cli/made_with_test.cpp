@@ -11,7 +11,7 @@
 
 namespace made_with_test {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 
 struct Capability {
     std::string name;

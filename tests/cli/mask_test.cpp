@@ -13,7 +13,7 @@
 
 namespace mask_test {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 
 TEST(Mask, HasTheRanksInProportionToTheLargestNumber) {
     const Folder folder;

@@ -9,7 +9,7 @@
 
 namespace messages_test {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 
 TEST(Refused, AreNamedAsTheyWereGiven) {
     std::string grid = "x,y\n";

@@ -13,7 +13,7 @@
 
 namespace origin_test {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 using Json = nlohmann::json;
 
 TEST(AJsonFile, TellsTheRequestThatMadeItAndACommandThatMakesItAnew) {

@@ -6,7 +6,7 @@
 
 #include "program.h"
 
-namespace lacuna::test {
+namespace lacuna::tests {
 
 inline const std::string kRaccoon = LACUNA_EXAMPLES "/raccoon.png";
 
@@ -29,4 +29,4 @@ inline std::string grey_picture(const Folder& folder, int columns, int rows,
     return path;
 }
 
-}  // namespace lacuna::test
+}  // namespace lacuna::tests

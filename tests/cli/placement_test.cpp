@@ -20,7 +20,7 @@
 namespace placement_test {
 
 using namespace lacuna;
-using namespace lacuna::test;
+using namespace lacuna::tests;
 using Names = std::vector<std::string>;
 using Json = nlohmann::json;
 
@@ -32,11 +32,11 @@ Names with(Names first, const Names& more) {
 }
 
 Outcome sample_with(const Names& arguments) {
-    return test::run(with({"sample", "--quiet"}, arguments));
+    return tests::run(with({"sample", "--quiet"}, arguments));
 }
 
 Outcome verify_with(const Names& arguments) {
-    return test::run(with({"verify"}, arguments));
+    return tests::run(with({"verify"}, arguments));
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -48,9 +48,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TEST(Classes, OfACountAreReportedWithTheDistancesThatTheyKeep) {
     const Folder folder;
-    const Outcome outcome = test::run({"sample", "--class", "a:0.4", "--class", "b:0.1",
-                                       "--between", "union", "--count", "300", "-o",
-                                       folder.path("a.csv"), "--report", folder.path("r.json")});
+    const Outcome outcome = tests::run({"sample", "--class", "a:0.4", "--class", "b:0.1",
+                                        "--between", "union", "--count", "300", "-o",
+                                        folder.path("a.csv"), "--report", folder.path("r.json")});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Json report = Json::parse(files::read_whole(folder.path("r.json")));
     const double kept = report.at("request").at("distances")[1][1];

@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace lacuna::test {
+namespace lacuna::tests {
 namespace {
 
 void must(bool done, const char* what) {
@@ -112,4 +112,4 @@ Outcome run(const std::vector<std::string>& arguments, const Setting& setting) {
     return Program(arguments, setting).wait();
 }
 
-}  // namespace lacuna::test
+}  // namespace lacuna::tests

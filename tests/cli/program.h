@@ -9,7 +9,7 @@
 
 #include "folder.h"
 
-namespace lacuna::test {
+namespace lacuna::tests {
 
 struct Outcome {
     int exit_code;  // 128 + the signal if one ended it, as shells say
@@ -51,4 +51,4 @@ private:
 
 Outcome run(const std::vector<std::string>& arguments, const Setting& setting = {});
 
-}  // namespace lacuna::test
+}  // namespace lacuna::tests

@@ -16,7 +16,7 @@
 
 namespace {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 
 class Terminal {
 public:

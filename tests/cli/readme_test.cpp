@@ -16,7 +16,7 @@
 
 namespace {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 using lacuna::pictures::Image;
 
 // The program's commands among README's indented lines, without comments; a line that ends in \ is

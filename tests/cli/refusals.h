@@ -13,7 +13,7 @@
 #include "cli/pictures.h"
 #include "cli/program.h"
 
-namespace lacuna::test {
+namespace lacuna::tests {
 
 struct Refusal {
     std::string arguments;  // as typed in a shell: quotes and < are its own
@@ -60,4 +60,4 @@ inline void expect_refusals(const Files& files, const std::string& beginning,
     expect_refusals(folder, beginning, refusals);
 }
 
-}  // namespace lacuna::test
+}  // namespace lacuna::tests

@@ -8,7 +8,7 @@
 
 namespace {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 
 TEST(Refused, OfSampleIsABadRadius) {
     const Refusals refusals{

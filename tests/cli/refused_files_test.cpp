@@ -11,7 +11,7 @@
 
 namespace {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 namespace fs = std::filesystem;
 
 constexpr const char* kOther = "must be another file than ";

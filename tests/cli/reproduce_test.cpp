@@ -11,7 +11,7 @@
 
 namespace {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 
 // 64 x 48, darker to the right.
 void write_image(const std::string& path) {

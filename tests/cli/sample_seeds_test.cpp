@@ -13,7 +13,7 @@
 
 namespace sample_seeds_test {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 using Json = nlohmann::json;
 using Names = std::vector<std::string>;
 

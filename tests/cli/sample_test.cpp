@@ -11,7 +11,7 @@
 
 namespace sample_test {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 using Names = std::vector<std::string>;
 
 std::ptrdiff_t lines_in(const std::string& text) {

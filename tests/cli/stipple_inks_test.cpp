@@ -14,7 +14,7 @@
 
 namespace {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 
 // Red at the left, blue at the right, grey above, and white between.
 const std::string kDrawing =

@@ -11,7 +11,7 @@
 
 namespace {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 using lacuna::Point;
 
 TEST(APenPath, OnPaperIsDrawnInItsOrderAndInMillimetres) {

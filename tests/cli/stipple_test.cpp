@@ -16,7 +16,7 @@
 
 namespace {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 using lacuna::Point;
 
 // The light of a photograph's numbers. The numbers of a picture of dots are shares of white paper.

@@ -14,7 +14,7 @@
 #include "files/read_points.h"
 #include "program.h"
 
-namespace lacuna::test {
+namespace lacuna::tests {
 
 using Names = std::vector<std::string>;
 
@@ -38,4 +38,4 @@ inline std::vector<Point> points_of(const std::string& image, Names arguments) {
                                   : std::vector<Point>{};
 }
 
-}  // namespace lacuna::test
+}  // namespace lacuna::tests

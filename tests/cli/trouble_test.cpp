@@ -19,7 +19,7 @@
 
 namespace trouble_test {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 using Names = std::vector<std::string>;
 
 void expect_one_line(const std::string& text) {

@@ -10,7 +10,7 @@
 
 namespace {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 
 // Two pixels, of these luminances; the domain is 1 x 0.5.
 std::string picture(char left, char right) {

@@ -14,7 +14,7 @@
 
 namespace verify_test {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 
 // 20 x 20 points 0.05 apart; the farthest spots are 0.0354 away: maximal for any radius between.
 std::string lattice(double shift = 0) {

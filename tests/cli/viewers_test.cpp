@@ -12,7 +12,7 @@
 
 namespace {
 
-using namespace lacuna::test;
+using namespace lacuna::tests;
 
 // The output of viewers.py, run by the Python that has vpype and pdfium.
 std::string seen(const std::string& what, const std::string& path) {

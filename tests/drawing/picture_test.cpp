@@ -21,8 +21,8 @@ namespace lacuna::files {
 namespace {
 
 using drawing::Medium;
-using test::contains;
-using test::occurrences;
+using tests::contains;
+using tests::occurrences;
 
 // A decoded PNG.
 class Image {

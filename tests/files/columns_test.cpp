@@ -13,7 +13,7 @@
 namespace lacuna::files {
 namespace {
 
-using test::contains;
+using tests::contains;
 
 const std::vector<Point> kPoints{{0.25, 0.5}, {0.75, 1}};
 const std::vector<Ellipse> kEllipses{{0.5, 0.125, -1.5}, {0.25, 0.25, 0}};

@@ -14,7 +14,7 @@
 namespace lacuna::files {
 namespace layers_test {
 
-using test::contains;
+using tests::contains;
 
 const std::vector<Point> kPoints{{0.25, 0.5}, {0.75, 0.5}, {0.5, 0.125}};
 const std::vector<Layer> kLayers{

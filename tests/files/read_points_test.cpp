@@ -42,7 +42,7 @@ TEST(APointFile, OfEveryReadableFormatGivesBackWhatWasEncoded) {
 }
 
 TEST(APointFile, IsReadByItsExtensionAndErrorsNameIt) {
-    const test::Folder folder;
+    const tests::Folder folder;
     const Points points = spread_points(10);
     for (const char* name : {"a.txt", "a.csv", "a.npy", "a.ply", "a.json", "A.TXT"}) {
         const std::string path = folder.path(name);

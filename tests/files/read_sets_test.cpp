@@ -24,7 +24,7 @@ protected:
     std::string path(const std::string& name) const { return folder_.path(name); }
 
     SetsOfFile read(const std::string& name, std::string_view content) const {
-        test::write_file(path(name), std::string(content));
+        tests::write_file(path(name), std::string(content));
         return read_sets(path(name));
     }
 
@@ -42,7 +42,7 @@ protected:
     }
 
 private:
-    const test::Folder folder_;
+    const tests::Folder folder_;
 };
 
 const Points kThree{{0.25, 0.5}, {0.125, 1e-3}, {0.75, 0.875}};

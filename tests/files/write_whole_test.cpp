@@ -20,7 +20,7 @@ namespace lacuna::files {
 namespace {
 
 namespace fs = std::filesystem;
-using test::content_of;
+using tests::content_of;
 
 // A folder of its own for each test.
 class WriteWhole : public testing::Test {
@@ -28,7 +28,7 @@ protected:
     std::string path(const std::string& name) const { return folder_.path(name); }
     std::size_t files_in_folder() const { return folder_.names().size(); }
 
-    const test::Folder folder_;
+    const tests::Folder folder_;
 };
 
 mode_t permissions_of(const std::string& path) {
@@ -60,7 +60,7 @@ TEST_F(WriteWhole, GivenNoBytesThenTheFileIsEmpty) {
 }
 
 TEST_F(WriteWhole, GivenAnOlderFileThenItIsReplacedAndKeepsItsPermissions) {
-    test::write_file(path("points.txt"), "a longer older file");
+    tests::write_file(path("points.txt"), "a longer older file");
     ASSERT_EQ(::chmod(path("points.txt").c_str(), 0640), 0);
     write_whole(path("points.txt"), "new");
     EXPECT_EQ(content_of(path("points.txt")), "new");
@@ -91,7 +91,7 @@ TEST_F(WriteWhole, GivenTheLongestNameThatTheSystemTakesThenItIsWritten) {
 
 TEST_F(WriteWhole, GivenALinkThenTheFileBehindItIsWrittenAndTheLinkStays) {
     fs::create_directory(path("deep"));
-    test::write_file(path("deep/points.txt"), "old");
+    tests::write_file(path("deep/points.txt"), "old");
     fs::create_symlink("deep/points.txt", path("second.txt"));
     fs::create_symlink(path("second.txt"), path("first.txt"));
     write_whole(path("first.txt"), "new");
@@ -121,7 +121,7 @@ TEST_F(WriteWhole, GivenAMissingFolderThenTheErrorNamesThePathAndTheReason) {
 }
 
 TEST_F(WriteWhole, GivenAFileInPlaceOfTheFolderThenTheErrorSaysSo) {
-    test::write_file(path("file"), "old");
+    tests::write_file(path("file"), "old");
     EXPECT_EQ(message_of_failure(path("file/points.txt"), "new"),
               path("file/points.txt") + ": Not a directory");
     EXPECT_EQ(content_of(path("file")), "old");
@@ -137,7 +137,7 @@ TEST_F(WriteWhole, GivenAFolderThenTheErrorSaysSoAndTheFolderStays) {
 
 TEST_F(WriteWhole, GivenAFolderThatMayNotBeWrittenThenTheOlderFileIsUntouched) {
     if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
-    test::write_file(path("points.txt"), "old");
+    tests::write_file(path("points.txt"), "old");
     fs::permissions(path("."), fs::perms::owner_read | fs::perms::owner_exec);
     const std::string message = message_of_failure(path("points.txt"), "new");
     fs::permissions(path("."), fs::perms::owner_all);
@@ -148,7 +148,7 @@ TEST_F(WriteWhole, GivenAFolderThatMayNotBeWrittenThenTheOlderFileIsUntouched) {
 
 TEST_F(WriteWhole, GivenAWriteProtectedFileThenItIsUntouched) {
     if (::geteuid() == 0) GTEST_SKIP() << "root may write anything";
-    test::write_file(path("points.txt"), "old");
+    tests::write_file(path("points.txt"), "old");
     ASSERT_EQ(::chmod(path("points.txt").c_str(), 0444), 0);
     EXPECT_EQ(message_of_failure(path("points.txt"), "new"),
               path("points.txt") + ": Permission denied");
@@ -156,7 +156,7 @@ TEST_F(WriteWhole, GivenAWriteProtectedFileThenItIsUntouched) {
 }
 
 TEST_F(WriteWhole, GivenNoRoomHalfwayThenTheOlderFileIsUntouchedAndNothingElseIsLeft) {
-    test::write_file(path("points.txt"), "old");
+    tests::write_file(path("points.txt"), "old");
     rlimit before{};
     ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
     const rlimit tight{1000, before.rlim_max};
@@ -252,7 +252,7 @@ TEST_F(WriteWhole, GivenADashThenStandardOutputGetsTheBytes) {
 }
 
 TEST_F(WriteWhole, GivenDevStdoutIntoAFileThenTheBytesAreAppendedToIt) {
-    test::write_file(path("out.txt"), "earlier\n");
+    tests::write_file(path("out.txt"), "earlier\n");
     {
         const StandardOutputInto file(path("out.txt"));
         write_whole("/dev/stdout", "points\n");

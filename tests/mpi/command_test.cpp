@@ -9,18 +9,18 @@
 
 namespace {
 
-using lacuna::test::content_of;
-using lacuna::test::Folder;
-using lacuna::test::occurrences;
-using lacuna::test::Outcome;
-using namespace lacuna::test::mpi;
+using lacuna::tests::content_of;
+using lacuna::tests::Folder;
+using lacuna::tests::occurrences;
+using lacuna::tests::Outcome;
+using namespace lacuna::tests::mpi;
 
 TEST(Mpi, TheCommandWritesTheFileOfLacunaAndReportsWhatItCost) {
     Folder folder;
     const std::string alone = folder.path("alone.npy");
     const std::string path = folder.path("ranks.npy");
     const std::string report = folder.path("report.json");
-    ASSERT_EQ(lacuna::test::run({"sample", "--radius", "0.004", "--torus", "-o", alone}).exit_code,
+    ASSERT_EQ(lacuna::tests::run({"sample", "--radius", "0.004", "--torus", "-o", alone}).exit_code,
               0);
 
     const Outcome outcome = mpirun(

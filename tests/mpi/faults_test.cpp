@@ -16,11 +16,11 @@
 
 namespace {
 
-using lacuna::test::content_of;
-using lacuna::test::Folder;
-using lacuna::test::occurrences;
-using lacuna::test::Outcome;
-using namespace lacuna::test::mpi;
+using lacuna::tests::content_of;
+using lacuna::tests::Folder;
+using lacuna::tests::occurrences;
+using lacuna::tests::Outcome;
+using namespace lacuna::tests::mpi;
 
 void expect_one_message(const Outcome& outcome, int exit_code, const std::string& message) {
     EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
@@ -85,7 +85,7 @@ TEST(MpiFaults, ABackendThatOneRankLacksIsToldOnce) {
 TEST(MpiFaults, ADiskThatIsFullForOneRankLeavesNothing) {
     Folder folder;
     const std::string path = folder.path("x.npy");
-    lacuna::test::write_file(path, "an older file");
+    lacuna::tests::write_file(path, "an older file");
     const Outcome outcome =
         mpirun(joined(ranks(1, {"sample", "--radius", "0.001", "-o", path}),
                       limited_ranks(1, 10000, "sample --radius 0.001 -o " + path)));
@@ -151,7 +151,7 @@ std::vector<pid_t> ranks_writing_to(const std::string& path) {
 void end_a_rank_by(int signal) {
     Folder folder;
     const std::string path = folder.path("x.npy");
-    lacuna::test::Program program(
+    lacuna::tests::Program program(
         command_of(ranks(3, {"sample", "--count", "10M", "--torus", "-o", path})), setting());
     std::vector<pid_t> found;
     while (program.is_running() && (folder.names().empty() || found.size() < 3)) {

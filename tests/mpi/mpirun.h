@@ -9,7 +9,7 @@
 #include "cli/program.h"
 #include "text.h"
 
-namespace lacuna::test::mpi {
+namespace lacuna::tests::mpi {
 
 inline const std::vector<std::string> kMpirun{"--oversubscribe", "--bind-to", "none"};
 
@@ -65,4 +65,4 @@ inline std::vector<std::string> joined(const std::vector<std::string>& first,
                 "; else " + command(then) + "; fi"};
 }
 
-}  // namespace lacuna::test::mpi
+}  // namespace lacuna::tests::mpi

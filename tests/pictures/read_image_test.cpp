@@ -15,7 +15,7 @@
 namespace lacuna::pictures {
 namespace {
 
-using test::Folder;
+using tests::Folder;
 
 TEST(APictureFile, IsReadByItsContentAndNotByItsName) {
     const Folder folder;

@@ -38,7 +38,7 @@ cl::Program Device::compiled(std::string_view source) {
     if (found != programs_.end()) return found->second;
     return guard([&] {
         auto program = std::make_unique<cl::Program>(context_, std::string(source));
-        // See kernels/bodies/common/prelude.h.
+        // See kernels/bodies/common/dialect.h.
         const char* const options =
             is_oclgrind() ? "-cl-std=CL1.2 -DLACUNA_ATOMIC_LOOKS" : "-cl-std=CL1.2";
         try {

@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "backends/opencl/errors.h"
-#include "backends/opencl/make_backend.h"
+#include "backends/opencl/opencl_backend.h"
 
 namespace lacuna::opencl {
 namespace {

@@ -17,7 +17,7 @@
 #include "backends/device/choice.h"
 #include "backends/device/queue.h"
 #include "backends/vulkan/instance.h"
-#include "backends/vulkan/make_backend.h"
+#include "backends/vulkan/vulkan_backend.h"
 
 namespace lacuna::vulkan {
 

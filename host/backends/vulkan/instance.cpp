@@ -11,7 +11,7 @@
 
 #include "backends/device/choice.h"
 #include "backends/device/kernels.h"
-#include "backends/vulkan/make_backend.h"
+#include "backends/vulkan/vulkan_backend.h"
 
 namespace lacuna::vulkan {
 namespace {

@@ -7,7 +7,7 @@
 #include "portable/conflict.h"
 
 BODY Ellipse ellipse_at(MEMORY const u32 x, const u32 y) {
-    const Grid field = grid_of(ON COLUMNS_OF_FIELD);
+    const PixelGrid field = grid_of(ON COLUMNS_OF_FIELD);
     const u32 pixel = pixel_of(field.columns, x) * field.rows.pixels + pixel_of(field.rows, y);
     return LOAD(ellipses, pixel);
 }

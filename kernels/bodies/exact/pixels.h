@@ -15,11 +15,11 @@ struct Axis {
 };
 LACUNA_TYPEDEF(Axis)
 
-struct Grid {
+struct PixelGrid {
     Axis columns;
     Axis rows;
 };
-LACUNA_TYPEDEF(Grid)
+LACUNA_TYPEDEF(PixelGrid)
 
 BODY Axis axis_of(MEMORY const u32 number) {
     const u32 first = number * AXIS_WORDS;
@@ -31,8 +31,8 @@ BODY Axis axis_of(MEMORY const u32 number) {
 }
 
 // `columns` is the number of the axis of columns; the axis of rows follows it.
-BODY Grid grid_of(MEMORY const u32 columns) {
-    const Grid grid = {axis_of(ON columns), axis_of(ON columns + 1u)};
+BODY PixelGrid grid_of(MEMORY const u32 columns) {
+    const PixelGrid grid = {axis_of(ON columns), axis_of(ON columns + 1u)};
     return grid;
 }
 

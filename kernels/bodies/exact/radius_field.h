@@ -16,8 +16,8 @@ LACUNA_TYPEDEF(Under)
 // The grids of the field and of the mask. A kernel reads them once: on lavapipe each read of a word
 // costs as much as some steps of arithmetic.
 struct Grids {
-    Grid field;
-    Grid mask;
+    PixelGrid field;
+    PixelGrid mask;
 };
 LACUNA_TYPEDEF(Grids)
 
@@ -49,7 +49,7 @@ BODY bool has_mask(const Grids grids) {
     return grids.mask.columns.pixels != 0u;
 }
 
-BODY Pixels pixels_under(const Grid grid, const Box box) {
+BODY Pixels pixels_under(const PixelGrid grid, const Box box) {
     const Pixels pixels = {pixel_of(grid.columns, box.x),
                            pixel_of(grid.columns, box.x + box.width - 1u),
                            pixel_of(grid.rows, box.begin), pixel_of(grid.rows, box.end - 1u)};
@@ -65,7 +65,7 @@ BODY Touched touched_by(const Grids grids, const Box box) {
 }
 
 // The lowest level of a pyramid where a rectangle of pixels touches at most 4 x 4 values.
-BODY Level level_over(const Grid grid, const Pixels pixels) {
+BODY Level level_over(const PixelGrid grid, const Pixels pixels) {
     Level level = {0u, 0u, grid.rows.pixels};
     u32 columns = grid.columns.pixels;
     while ((pixels.last_column >> level.shift) - (pixels.first_column >> level.shift) >= 4u ||
@@ -79,7 +79,7 @@ BODY Level level_over(const Grid grid, const Pixels pixels) {
 }
 
 // The least and the greatest radius, see portable/radius_field.h.
-BODY Radii radii_over(MEMORY const Grid field, const Pixels pixels) {
+BODY Radii radii_over(MEMORY const PixelGrid field, const Pixels pixels) {
     const Level level = level_over(field, pixels);
     Radii all = {0u, 0u};
     for (u32 i = pixels.first_column >> level.shift; i <= pixels.last_column >> level.shift; ++i) {
@@ -116,7 +116,7 @@ BODY u32 allowed_from(MEMORY const Node root, const u32 level, const u32 column,
 
 // The lowest node that contains a rectangle of pixels and is not lower than 2^level, or none: then
 // `shift` is the value of the rectangle, and `number` is NO_NODE.
-BODY Node node_over(MEMORY const Grid mask, const u32 level, const Pixels pixels) {
+BODY Node node_over(MEMORY const PixelGrid mask, const u32 level, const Pixels pixels) {
     Node node = {0u, mask.columns.root};
     while (pixels.first_column >> node.shift == pixels.last_column >> node.shift &&
            pixels.first_row >> node.shift == pixels.last_row >> node.shift) {
@@ -133,7 +133,7 @@ BODY Node node_over(MEMORY const Grid mask, const u32 level, const Pixels pixels
     return node;
 }
 
-BODY u32 allowed_over(MEMORY const Grid mask, const Pixels pixels) {
+BODY u32 allowed_over(MEMORY const PixelGrid mask, const Pixels pixels) {
     const Level level = level_over(mask, pixels);
     const Node node = node_over(ON mask, level.shift, pixels);
     if (node.number == NO_NODE) return node.shift;
@@ -170,11 +170,11 @@ BODY u32 radius_under(const Under all) {
 
 // 0 where no sample may lie.
 BODY u32 radius_at(MEMORY const Grids grids, const u32 x, const u32 y) {
-    const Grid field = grids.field;
+    const PixelGrid field = grids.field;
     const u32 pixel = pixel_of(field.columns, x) * field.rows.pixels + pixel_of(field.rows, y);
     const u32 radius = LOAD(radius_bounds, pixel).greatest & ~HAS_ZEROS;
     if (!has_mask(grids)) return radius;
-    const Grid mask = grids.mask;
+    const PixelGrid mask = grids.mask;
     const Node root = {0u, mask.columns.root};
     const u32 allowed =
         allowed_from(ON root, 0u, pixel_of(mask.columns, x), pixel_of(mask.rows, y));

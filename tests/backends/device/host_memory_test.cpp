@@ -13,10 +13,10 @@
 #include "backends/available.h"
 #include "backends/device/queue.h"
 #ifdef LACUNA_OPENCL
-#include "backends/opencl/make_backend.h"
+#include "backends/opencl/opencl_backend.h"
 #endif
 #ifdef LACUNA_VULKAN
-#include "backends/vulkan/make_backend.h"
+#include "backends/vulkan/vulkan_backend.h"
 #endif
 
 namespace lacuna::device {

@@ -12,7 +12,7 @@
 #include "backends/available.h"
 #include "backends/device/altered.h"
 #include "fields.h"
-#include "relax/device/make_backend.h"
+#include "relax/device/device_relax.h"
 #include "relax/relax_backends.h"
 #include "relax/scenes.h"
 

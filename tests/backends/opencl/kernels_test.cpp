@@ -8,7 +8,7 @@
 #include "backends/available.h"
 #include "backends/cells_scenes.h"
 #include "backends/opencl/device.h"
-#include "backends/opencl/make_backend.h"
+#include "backends/opencl/opencl_backend.h"
 #include "backends/scenes.h"
 #include "refusal.h"
 #include "sampling/generate.h"

@@ -10,7 +10,7 @@
 #include "backends/available.h"
 #include "backends/cells_requests.h"
 #include "backends/columns.h"
-#include "backends/vulkan/make_backend.h"
+#include "backends/vulkan/vulkan_backend.h"
 #include "portable/status.h"
 #include "sampling/generate.h"
 

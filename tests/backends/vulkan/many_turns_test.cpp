@@ -11,7 +11,7 @@
 #include "backends/available.h"
 #include "backends/cells_scenes.h"
 #include "backends/columns.h"
-#include "backends/vulkan/make_backend.h"
+#include "backends/vulkan/vulkan_backend.h"
 #include "fields.h"
 #include "plan/make_plan.h"
 #include "plan/plan.h"

@@ -11,7 +11,7 @@
 #include "backends/columns.h"
 #include "backends/device/kernels.h"
 #include "backends/vulkan/device.h"
-#include "backends/vulkan/make_backend.h"
+#include "backends/vulkan/vulkan_backend.h"
 #include "portable/status.h"
 #include "sampling/generate.h"
 

@@ -6,8 +6,8 @@
 // buffers has MEMORY before its parameters and is called with ON before its arguments: in OpenCL
 // they pass a struct of pointers, in GLSL they are empty. KERNEL comes first: it defines the
 // kernel, which calls serve(arguments, item), and in GLSL its buffers.
-#ifndef LACUNA_BODIES_PRELUDE_H
-#define LACUNA_BODIES_PRELUDE_H
+#ifndef LACUNA_BODIES_DIALECT_H
+#define LACUNA_BODIES_DIALECT_H
 #ifndef __OPENCL_C_VERSION__
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 #endif

@@ -1,5 +1,5 @@
 // Relaxation on threads. A task is a tile of the lattice.
-#include "relax/cpu/make_backend.h"
+#include "relax/cpu/cpu_relax.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_sort.h>

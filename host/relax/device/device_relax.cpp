@@ -1,5 +1,5 @@
 // Relaxation on a device. Tiles come in batches, which all use one set of buffers for tables.
-#include "relax/device/make_backend.h"
+#include "relax/device/device_relax.h"
 
 #include <algorithm>
 #include <array>

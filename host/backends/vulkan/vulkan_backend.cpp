@@ -1,5 +1,5 @@
 // The vulkan backend: chooses a device and prepares it.
-#include "backends/vulkan/make_backend.h"
+#include "backends/vulkan/vulkan_backend.h"
 
 #include "backends/device/device_backend.h"
 #include "backends/vulkan/device.h"

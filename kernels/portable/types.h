@@ -2,8 +2,8 @@
 //
 // A portable header has functions on whole numbers: values in, values out. The only float is the
 // estimate of a square root below, which isqrt.h corrects exactly.
-#ifndef LACUNA_PORTABLE_PRELUDE_H
-#define LACUNA_PORTABLE_PRELUDE_H
+#ifndef LACUNA_PORTABLE_TYPES_H
+#define LACUNA_PORTABLE_TYPES_H
 
 #if defined(__cplusplus)
 #include <bit>

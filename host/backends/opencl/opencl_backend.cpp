@@ -1,5 +1,5 @@
 // The opencl backend: chooses a device and prepares it.
-#include "backends/opencl/make_backend.h"
+#include "backends/opencl/opencl_backend.h"
 
 #include "backends/device/device_backend.h"
 #include "backends/opencl/device.h"
