@@ -26,17 +26,27 @@ constexpr std::array kWiderRelaxed{1.0, 1.0, 1.0, 1.001, 1.003, 1.007, 1.015, 1.
 // ones 1e-5 of the paper is, measured as above.
 constexpr double kSolid = 1.48, kSolidRelaxed = 1.35;
 constexpr double kFirst = 0.55, kStep = 0.05;
+// The factor by which a line through all dots must be longer because it lies on itself, for the
+// same importance, and the same for strokes, which cross. Measured on two photographs, 512 x 600
+// and 1024 x 768 pixels on 200 mm, with a pen of 0.3 mm: what the line, or the strokes, cover of
+// the pixels of each importance. At the last factor it is 99 %.
+constexpr std::array kLonger{1.0, 1.005, 1.01, 1.015, 1.022, 1.03, 1.038, 1.05, 1.075, 1.2};
+constexpr std::array kLongerStrokes{1.0, 1.0, 1.008, 1.022, 1.067, 1.12, 1.19, 1.31, 1.505, 2.0};
 // Factors and importance are rounded to multiples of this, because few distinct sizes make short
 // files.
 constexpr double kSizeStep = 0.01;
 
+// The factor of one of these tables for an importance.
+double factor_at(double importance, const std::array<double, kWider.size()>& factors) {
+    const double place =
+        std::clamp((importance - kFirst) / kStep, 0.0, static_cast<double>(factors.size() - 1));
+    const std::size_t low = std::min(static_cast<std::size_t>(place), factors.size() - 2);
+    return std::lerp(factors[low], factors[low + 1], place - static_cast<double>(low));
+}
+
 double wider_at(double importance, Spread spread, bool solid_black) {
     if (solid_black && importance == 1) return spread == Spread::even ? kSolidRelaxed : kSolid;
-    const auto& wider = spread == Spread::even ? kWiderRelaxed : kWider;
-    const double place =
-        std::clamp((importance - kFirst) / kStep, 0.0, static_cast<double>(kWider.size() - 1));
-    const std::size_t low = std::min(static_cast<std::size_t>(place), wider.size() - 2);
-    const double exact = std::lerp(wider[low], wider[low + 1], place - static_cast<double>(low));
+    const double exact = factor_at(importance, spread == Spread::even ? kWiderRelaxed : kWider);
     return std::round(exact / kSizeStep) * kSizeStep;
 }
 
@@ -82,10 +92,17 @@ double width_at(const Pens& pens, double importance) {
     });
 }
 
+double Sizing::layers_at(double importance) const {
+    if (!is_line && !are_strokes) return importance;
+    return importance * factor_at(importance, is_line ? kLonger : kLongerStrokes);
+}
+
 double Sizing::area_at(double importance) const {
     // The line of a wider pen must be as much shorter.
-    if (is_line) return (pens ? pens->least_mm * pens->least_mm : 1) / importance;
-    if (are_strokes) return 1;
+    const double layers = layers_at(importance);
+    if (is_line)
+        return (pens ? pens->least_mm * pens->least_mm : 1) * importance / (layers * layers);
+    if (are_strokes) return importance / layers;
     if (!pens) return by_tone == 0 ? 1 : power(importance, by_tone);
     const double wider = fills_overlaps ? wider_at(importance, spread, false) : 1;
     const double diameter = width_at(*pens, importance) / wider;

@@ -34,6 +34,9 @@ struct Sizing {
     bool are_strokes = false;
 
     bool varies() const;
+    // How many layers of ink a line or strokes need for an importance: more than it, because they
+    // lie on themselves. Dots are wider instead.
+    double layers_at(double importance) const;
     // The area of a dot: relative, or in mm^2 with pens; with fills_overlaps without what other
     // dots cover of it.
     double area_at(double importance) const;

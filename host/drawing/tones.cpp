@@ -157,9 +157,21 @@ std::uint64_t plotted_count(const Tones& tones, const Domain& domain, const Styl
     return static_cast<std::uint64_t>(std::max(1.0, std::round(root * root)));
 }
 
+double ink_of(const Tones& tones, const Domain& domain) {
+    double layers = 0;
+    for (std::size_t k = 0; k < tones.fields.size(); ++k) {
+        const Sizing sizing = tones.sizing_of(k);
+        const std::vector<double>& importance = tones.fields[k].importance;
+        for_each_polled(importance.size(), ask,
+                        [&](std::size_t i) { layers += sizing.layers_at(importance[i]); });
+    }
+    const auto pixels = static_cast<double>(tones.all().importance.size());
+    return layers / pixels * domain.width * domain.height;
+}
+
 std::uint64_t count_of_line(const Tones& tones, const Domain& domain, const Style& style) {
     const double scale = millimetres_per_unit(files::PointSet{{}, domain}, style);
-    const double ink = darkness_of(tones.all()) * domain.width * scale * domain.height * scale;
+    const double ink = ink_of(tones, domain) * scale * scale;
     const double root = ink / path_of_one(tones, domain, style).ink;
     return static_cast<std::uint64_t>(std::clamp(std::round(root * root), 1.0, kMostDots));
 }

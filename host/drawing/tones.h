@@ -52,6 +52,8 @@ std::uint64_t suiting_count(const Tones& tones, const Domain& domain, const Styl
 // About how many dots a plotter draws in this time, along the path of each ink.
 std::uint64_t plotted_count(const Tones& tones, const Domain& domain, const Style& style,
                             const Plotter& plotter, double seconds);
+// The area of the ink of lines or strokes, which partly lie on themselves.
+double ink_of(const Tones& tones, const Domain& domain);
 // How many dots the lines of pens go through if their ink is as much as the picture is dark.
 std::uint64_t count_of_line(const Tones& tones, const Domain& domain, const Style& style);
 // About how long it takes for dots and the path between them.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,11 @@ std::vector<double> blocks_of(const lacuna::pictures::Image& image) {
         }
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= pixels[i];
     return sums;
+}
+
+double mean_of(const lacuna::pictures::Image& image) {
+    return std::reduce(image.luminance.begin(), image.luminance.end()) /
+           static_cast<double>(image.luminance.size());
 }
 
 double mean_difference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -76,8 +82,9 @@ TEST(Stipple, GivenTenStepsOfGreyThenEachHasItsLightInEveryWay) {
     for (const Names& way :
          {Names{"--count", "20000"}, Names{"--count", "20000", "--size-by-tone", "0.5"},
           Names{"--count", "20000", "--inks", "black"}, joined({"--dot-size", "0.4mm"}, paper),
-          joined({"--pens", "0.3mm,0.5mm,0.8mm"}, paper),
-          joined({"--inks", "black:0.4mm"}, paper)}) {
+          joined({"--pens", "0.3mm,0.5mm,0.8mm"}, paper), joined({"--inks", "black:0.4mm"}, paper),
+          joined({"--path-line", "--dot-size", "0.3mm"}, paper),
+          joined({"--along", "4", "--dot-size", "0.3mm"}, paper)}) {
         const std::string path = folder.path("dots.png");
         ASSERT_EQ(run(joined({"stipple", steps, "--dpi", "300", "-o", path}, way)).exit_code, 0);
         const lacuna::pictures::Image dots = lacuna::pictures::read_image(path);
@@ -91,6 +98,28 @@ TEST(Stipple, GivenTenStepsOfGreyThenEachHasItsLightInEveryWay) {
             const double light = lacuna::pictures::light_of(static_cast<double>(step) / 9);
             EXPECT_NEAR(sum / count / white, light, 0.02) << step << " " << way.back();
         }
+    }
+}
+
+// A line and strokes lie on themselves where it is dark.
+TEST(Stipple, GivenAPhotographThenALineAndStrokesHaveItsLight) {
+    const Folder folder;
+    const std::string photograph = LACUNA_EXAMPLES "/hopper.jpg", path = folder.path("drawn.png");
+    const double light = mean_of(light_of(lacuna::pictures::read_image(photograph)));
+    for (const Names& way : {Names{"--path-line"}, Names{"--along", "6"}}) {
+        const Names sheet{"stipple",
+                          photograph,
+                          "--dot-size",
+                          "0.4mm",
+                          "--paper-size",
+                          "200x234.375mm",
+                          "--margin",
+                          "0mm",
+                          "--quiet",
+                          "-o",
+                          path};
+        ASSERT_EQ(run(joined(sheet, way)).exit_code, 0);
+        EXPECT_NEAR(mean_of(lacuna::pictures::read_image(path)), light, 3.0 / 255) << way.front();
     }
 }
 

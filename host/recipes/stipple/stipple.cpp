@@ -161,14 +161,11 @@ private:
         made_.diameters = drawing::diameters_of(tones_, dots(), style_);
     }
 
+    // The area of all ink, on itself or on paper.
+    double ink() { return drawing::ink_of(tones_, request().domain); }
+
     // The width of the pen, in the domain's unit.
     double pen() const { return options_.pens->least_mm / mm_; }
-
-    // The area that the picture's darkness asks for.
-    double ink() {
-        const Domain& domain = request().domain;
-        return drawing::darkness_of(tones_.all()) * domain.width * domain.height;
-    }
 
     // The time without that of drawing strokes, whose length does not depend on their number.
     double seconds_for_dots() {
