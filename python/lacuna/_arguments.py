@@ -144,6 +144,7 @@ _KINDS: dict[str, Callable[[str, Any], object]] = {
     "backend": text,
     "device": _device,
     "domain": pair,
+    **dict.fromkeys(("dot_size", "pens", "paper_size", "margin", "plot_time"), text),
     "ink_counts": _counts,
     "measure": flag,
     "paper_colour": text,
@@ -155,7 +156,8 @@ _KINDS: dict[str, Callable[[str, Any], object]] = {
 # Arguments that may be None, which means that they are not given.
 _OPTIONAL = set(
     "radius n scale metric mode domain edge limit relax gaussian_distance "
-    "lines_per_radius device memory_limit black_ink ink_counts tolerance".split()
+    "lines_per_radius device memory_limit black_ink ink_counts tolerance "
+    "dot_size pens paper_size margin plot_time seconds_per_dot seconds_per_metre".split()
 )
 
 

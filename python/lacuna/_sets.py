@@ -332,19 +332,47 @@ class Stippling(PointSet):
         With ``inks``: the colour of each ink, such as '#009ee3', by its name, in their order.
     paper_colour : str
         Of the paper that saved pictures show.
+    pens : dict of str to float, or None
+        The width in mm of the pen of each ink, by the ink's name; 0 for an ink without one. With
+        ``pens`` each pen is an ink of its own, such as '0.3mm', in ``ink`` and ``inks`` too.
+    paper : tuple of three floats, or None
+        Width, height and margin in mm, turned as the picture lies.
+    are_strokes : bool
+        Whether pens draw ``.ellipses`` as strokes: 2 a long with their round ends, 2 b wide.
+    line_width : float
+        With ``path_line``: the width of the line, in the domain's unit. Otherwise 0.
+    path_length : float
+        Of the pen's path, in the domain's unit; 0 without pens and path.
+    plot_seconds : float
+        About how long a plotter takes; 0 without pens and path.
+    for_a_pen : bool
+        Whether the points come in the order of the pen's path.
     """
 
     radii: Floats = field(repr=False)
     ink: npt.NDArray[np.uint8] | None = field(repr=False, default=None)
     inks: Mapping[str, str] | None = None
     paper_colour: str = "white"
+    pens: Mapping[str, float] | None = None
+    paper: tuple[float, float, float] | None = None
+    are_strokes: bool = False
+    line_width: float = 0.0
+    path_length: float = 0.0
+    plot_seconds: float = 0.0
+    for_a_pen: bool = False
 
     def _saved(self) -> dict[str, Any]:
-        saved = {**super()._saved(), "paper_colour": self.paper_colour}
+        drawn = ("paper_colour", "are_strokes", "line_width", "for_a_pen")
+        saved = {**super()._saved(), **{name: getattr(self, name) for name in drawn}}
+        if self.paper is not None:
+            saved["paper"] = self.paper
         if self.ink is None or self.inks is None:
             return saved
         dots = np.bincount(self.ink, minlength=len(self.inks))
-        inks = _core.inks_of(",".join(f"{name}={colour}" for name, colour in self.inks.items()))
+        inks = [
+            _core.Ink(name, list(bytes.fromhex(colour[1:])), (self.pens or {}).get(name, 0.0))
+            for name, colour in self.inks.items()
+        ]
         return {**saved, "layers": list(zip(inks, dots.tolist()))}
 
     def _radii(self) -> Floats:

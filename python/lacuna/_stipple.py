@@ -52,6 +52,15 @@ def stipple(
     along: SupportsFloat = 1.0,
     size_by_tone: SupportsFloat = 0.0,
     keep_inside: bool = False,
+    dot_size: str | None = None,
+    pens: str | None = None,
+    paper_size: str | None = None,
+    margin: str | None = None,
+    pen_path: bool = False,
+    path_line: bool = False,
+    plot_time: str | None = None,
+    seconds_per_dot: SupportsFloat | None = None,
+    seconds_per_metre: SupportsFloat | None = None,
     torus: bool = False,
     seed: Seed = None,
     limit: Whole | None = None,
@@ -131,6 +140,25 @@ def stipple(
         Keep dots off white, and in the picture: dots that overhang an edge are moved inwards, and
         in a shape narrower than a dot they are made smaller. Where the picture is black, dots
         leave no gaps.
+    dot_size : str, optional
+        The diameter of the pen's dots, such as '0.4mm', or '0.3mm..0.8mm' from light to dark. With
+        ``along`` each dot is a stroke of that pen. There are as many dots as suit the picture.
+    pens : str, optional
+        The widths of several pens, such as '0.3mm,0.5mm,0.8mm': each dot is as wide as one of them,
+        wider where it is darker, and each pen has a layer of its own.
+    paper_size, margin : str, optional
+        The sheet, such as 'A5' or '200x150mm', and its margin, such as '10mm', by default 0. The
+        picture lies in its middle, as large as the margin allows, and saved pictures show it.
+    pen_path : bool
+        Order the dots of each ink along a short path of the pen.
+    path_line : bool
+        Draw that path as one line for each ink, in place of dots.
+    plot_time : str, optional
+        In place of ``n``: about as many dots as a plotter draws in this time, such as '1h' or
+        '30min'. The result's ``.plot_seconds`` says how long it takes.
+    seconds_per_dot, seconds_per_metre : float, optional
+        How fast the plotter is, 0.25 and 5 by default: to lower and raise the pen, and along the
+        path between dots.
     torus, seed, limit, lines_per_radius, round_size, backend, device, threads, memory_limit, \
 progress
         As for ``sample``.
@@ -170,10 +198,15 @@ progress
         ink_counts=ink_counts, paper_colour=paper_colour, invert=invert, black=black, white=white,
         background=background, auto_levels=auto_levels,
         gamma=gamma, min_importance=min_importance, sharpen=sharpen, sharpen_amount=sharpen_amount,
-        along=along, size_by_tone=size_by_tone, keep_inside=keep_inside, torus=torus, seed=seed,
+        along=along, size_by_tone=size_by_tone, keep_inside=keep_inside, dot_size=dot_size,
+        pens=pens, paper_size=paper_size, margin=margin, pen_path=pen_path, path_line=path_line,
+        plot_time=plot_time, seconds_per_dot=seconds_per_dot,
+        seconds_per_metre=seconds_per_metre, torus=torus, seed=seed,
         limit=limit, lines_per_radius=lines_per_radius, round_size=round_size, backend=backend,
         device=device, threads=threads, memory_limit=memory_limit,
     )  # fmt: skip
+    if margin is not None and paper_size is None:
+        raise BadRequest(f"margin '{margin}': needs paper_size", "margin")
     palette = [] if inks is None else _core.inks_of(text("inks", inks))
     picture = _picture(image)
     try:
@@ -186,5 +219,7 @@ progress
     iterations = made.pop("iterations")
     said = {"inks": [ink.name for ink in palette]} if palette else {"field": "an array"}
     attributes = set_attributes(made, relax=iterations, **said)
-    colours = {ink.name: ink.hex for ink in palette} or None
-    return Stippling(**attributes, inks=colours, paper_colour=paper_colour)
+    layers = attributes.pop("layers")
+    attributes["inks"] = {ink.name: ink.hex for ink in layers} or None
+    attributes["pens"] = {ink.name: ink.pen_mm for ink in layers if ink.pen_mm} or None
+    return Stippling(**attributes, paper_colour=paper_colour)

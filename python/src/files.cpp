@@ -6,6 +6,9 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 
+#include <nanobind/stl/array.h>
+
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -78,6 +81,13 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, const nb::d
     read(saved, "classes", classes);
     std::string paper_colour = "white";
     read(saved, "paper_colour", paper_colour);
+    drawing::Style style;
+    std::array<double, 3> paper{};
+    read(saved, "paper", paper);
+    if (paper[0] > 0) style.sheet = Paper{paper[0], paper[1], paper[2]};
+    read(saved, "are_strokes", style.are_strokes);
+    read(saved, "line_width", style.line_width);
+    read(saved, "for_a_pen", style.for_a_pen);
     Made made = made_of(saved);
     const Unlocked unlocked;
     const files::Format& format = files::format_of(path);
@@ -105,7 +115,6 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, const nb::d
     if (format.medium && radii) {
         std::vector<double> diameters(radii->shape(0));
         for (std::size_t i = 0; i < diameters.size(); ++i) diameters[i] = 2 * radii->data()[i];
-        drawing::Style style;
         style.diameters = diameters;
         style.paper_colour = paper_of(paper_colour);
         content = drawing::draw(set, *format.medium, style);

@@ -27,7 +27,8 @@ std::string argument_of(const Option& option) {
     return option.name == "count" ? "n" : option.key();
 }
 
-// Reads a value into its target. Functions are for texts; Python has arrays instead.
+// Reads a value into its target. Functions are for texts: where Python has an array, it is not
+// among the values given.
 struct Reader {
     const nb::dict& given;
     const char* name;
@@ -41,7 +42,10 @@ struct Reader {
     }
     void operator()(std::optional<Mode>* mode) const { word(recipes::Words::modes, *mode); }
     void operator()(std::optional<Metric>* metric) const { word(recipes::Words::metrics, *metric); }
-    void operator()(const recipes::Take&) const {}
+    void operator()(const recipes::Take& take) const {
+        if (nb::isinstance<nb::str>(given[name]))
+            take.read(nb::cast<std::string>(given[name]), take.to);
+    }
 
     template <class Enum>
     void word(recipes::Words words, std::optional<Enum>& value) const {

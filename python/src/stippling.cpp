@@ -36,10 +36,6 @@ StippleOptions options_of(const nb::dict& given, const std::vector<Ink>& inks) {
     StippleOptions options{.request = request_of(given), .inks = inks};
     read(given, recipes::targets_of(options));
     read(given, "ink_counts", options.ink_counts);
-    if (given.contains("paper_colour"))
-        options.paper_colour = paper_of(nb::cast<std::string>(given["paper_colour"]));
-    if (given.contains("background"))
-        recipes::read_background(nb::cast<std::string>(given["background"]), options.tone);
     read(given, "sharpen", options.tone.sharpen);
     read(given, "sharpen_amount", options.tone.sharpen_amount);
     return options;
@@ -65,6 +61,18 @@ nb::dict stipple_picture(const Picture& picture, const nb::dict& given,
     made["radii"] = array_of(std::move(dots.diameters));
     if (!dots.ellipses.empty()) made["ellipses"] = array_of(std::move(dots.ellipses));
     made["ink"] = dots.layers.empty() ? nb::object(nb::none()) : array_of(std::move(ink));
+    nb::list inks_or_pens;
+    for (const Layer& layer : dots.layers) inks_or_pens.append(layer.ink);
+    made["layers"] = inks_or_pens;
+    if (dots.paper) {
+        const Paper& paper = *dots.paper;
+        made["paper"] = nb::make_tuple(paper.width_mm, paper.height_mm, paper.margin_mm);
+    }
+    made["are_strokes"] = dots.are_strokes;
+    made["line_width"] = dots.line_width;
+    made["for_a_pen"] = dots.is_for_a_pen;
+    made["path_length"] = dots.path_length;
+    made["plot_seconds"] = dots.plot_seconds;
     made["iterations"] = dots.iterations;
     made["seconds"] = watch.seconds();
     return made;
@@ -74,8 +82,9 @@ nb::dict stipple_picture(const Picture& picture, const nb::dict& given,
 
 void add_stippling(nb::module_& module) {
     nb::class_<Ink>(module, "Ink")
-        .def(nb::init<std::string, std::array<std::uint8_t, 3>>())
+        .def(nb::init<std::string, std::array<std::uint8_t, 3>, double>())
         .def_ro("name", &Ink::name)
+        .def_ro("pen_mm", &Ink::pen_mm)
         .def_prop_ro("hex", [](const Ink& ink) { return files::hex_of(ink.colour); });
     module.def("inks_of", inks_of);
     nb::class_<Picture>(module, "Picture")

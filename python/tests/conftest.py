@@ -44,7 +44,7 @@ def refused(
 
 @pytest.fixture(scope="session")
 def command(tmp_path_factory: pytest.TempPathFactory) -> Command:
-    """Runs the command lacuna, and returns the points that it writes."""
+    """Runs the command lacuna, and returns the points that it writes; to the file ``more``, too."""
     path = os.environ.get("LACUNA_COMMAND") or shutil.which(str(REPOSITORY / "build" / "lacuna"))
     if path is None:
         if required("python"):
@@ -52,9 +52,10 @@ def command(tmp_path_factory: pytest.TempPathFactory) -> Command:
         pytest.skip("the command is not built: run ./bootstrap.sh run")
     folder = tmp_path_factory.mktemp("command")
 
-    def run(*arguments: object) -> npt.NDArray[np.float64]:
+    def run(*arguments: object, more: Path | None = None) -> npt.NDArray[np.float64]:
         file = folder / "points.npy"
-        subprocess.run([path, *map(str, arguments), "--quiet", "-o", str(file)], check=True)
+        outputs = ["-o", str(file)] + (["-o", str(more)] if more else [])
+        subprocess.run([path, *map(str, arguments), "--quiet", *outputs], check=True)
         points: npt.NDArray[np.float64] = np.load(file)
         return points
 

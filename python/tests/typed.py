@@ -113,6 +113,12 @@ in_inks: lacuna.Stippling = lacuna.stipple(
     photograph, inks="black,red", ink_counts=[20, 0], black_ink=1
 )
 ink: npt.NDArray[np.uint8] | None = in_inks.ink
+in_pens: lacuna.Stippling = lacuna.stipple(
+    photograph, 50, pens="0.3mm,0.5mm", paper_size="A6", margin="5mm", pen_path=True
+)
+widths: Mapping[str, float] | None = in_pens.pens
+paper: tuple[float, float, float] | None = in_pens.paper
+plotted_in: float = in_pens.plot_seconds
 inks: Mapping[str, str] | None = in_inks.inks
 
 relaxed: lacuna.Relaxed = lacuna.relax(

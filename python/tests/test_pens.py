@@ -1,0 +1,81 @@
+"""Pens, paper, strokes and lines: the dots and the drawings of the command."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import Command
+
+import lacuna
+
+ROOT = Path(__file__).resolve().parents[2]
+HOPPER = ROOT / "examples" / "hopper.jpg"
+
+A6 = {"paper_size": "A6", "margin": "5mm"}
+ON_A6 = ["--paper-size", "A6", "--margin", "5mm"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "options"),
+    [
+        ({"dot_size": "1mm"}, ["--dot-size", "1mm"]),
+        ({"dot_size": "0.8mm..1.5mm", "relax": 2}, ["--dot-size", "0.8mm..1.5mm", "--relax", 2]),
+        ({"n": 500, "pens": "0.5mm,1mm"}, ["--count", 500, "--pens", "0.5mm,1mm"]),
+        (
+            {"n": 300, "inks": "black:0.5mm,red:1mm", "pen_path": True},
+            ["--count", 300, "--inks", "black:0.5mm,red:1mm", "--pen-path"],
+        ),
+        ({"along": 4, "dot_size": "1mm"}, ["--along", 4, "--dot-size", "1mm"]),
+        ({"path_line": True, "dot_size": "1mm"}, ["--path-line", "--dot-size", "1mm"]),
+        (
+            {"plot_time": "10min", "dot_size": "1mm", "seconds_per_dot": 0.5},
+            ["--plot-time", "10min", "--dot-size", "1mm", "--seconds-per-dot", 0.5],
+        ),
+    ],
+)
+def test_dots_and_drawings_are_the_commands(
+    command: Command, tmp_path: Path, arguments: dict[str, Any], options: list[object]
+) -> None:
+    made = lacuna.stipple(HOPPER, seed=3, **arguments, **A6)
+    svg = tmp_path / "expected.svg"
+    expected = command("stipple", HOPPER, "--seed", 3, *options, *ON_A6, more=svg)
+    assert made.points.tobytes() == np.ascontiguousarray(expected[:, :2]).tobytes()
+    assert made.paper is not None and made.paper[2] == 5
+    made.save(tmp_path / "made.svg")
+    files = [(tmp_path / name).read_text() for name in ("made.svg", "expected.svg")]
+    drawings = [file[file.index("<g") :] for file in files]  # the command's also has metadata
+    assert drawings[0] == drawings[1] and 'width="105mm" height="148mm"' in files[0]
+
+
+def test_each_pen_is_a_layer_and_the_time_is_known() -> None:
+    ramp = np.linspace(0, 1, 40) * np.ones((20, 1))
+    made = lacuna.stipple(ramp, 300, seed=1, pens="0.3mm,0.5mm", **A6)
+    assert made.pens == {"0.3mm": 0.3, "0.5mm": 0.5} and list(made.inks or ()) == list(made.pens)
+    assert made.ink is not None and set(made.ink) == {0, 1} and (np.diff(made.ink) >= 0).all()
+    assert 75 < made.plot_seconds < 90 and made.path_length > 0 and not made.for_a_pen
+    line = lacuna.stipple(ramp, 300, seed=1, path_line=True)
+    assert line.line_width > 0 and line.for_a_pen and line.pens is None and line.paper is None
+    strokes = lacuna.stipple(ramp, seed=1, along=3, dot_size="0.5mm", **A6)
+    assert strokes.are_strokes and strokes.ellipses is not None and strokes.plot_seconds > 0
+
+
+@pytest.mark.parametrize(
+    ("argument", "arguments"),
+    [
+        ("dot_size", {"dot_size": "0.4"}),
+        ("dot_size", {"dot_size": "0.8mm..0.3mm"}),
+        ("pens", {"pens": "1mm,0"}),
+        ("paper_size", {"paper_size": "A77"}),
+        ("margin", {"margin": "5mm"}),
+        ("margin", {"paper_size": "A6", "margin": "5"}),
+        ("plot_time", {"plot_time": "soon", "dot_size": "1mm"}),
+        ("pens", {"pens": "0.3mm,0.5mm", "along": 4.0}),
+    ],
+)
+def test_what_is_not_understood_is_refused(argument: str, arguments: dict[str, Any]) -> None:
+    with pytest.raises(lacuna.BadRequest) as caught:
+        lacuna.stipple(np.eye(8), 30, seed=1, **arguments)
+    assert caught.value.argument == argument, str(caught.value)
