@@ -178,7 +178,7 @@ python_module() {
         options+=("--config-settings=cmake.define.LACUNA_PREBUILT=$LACUNA_PREBUILT"
             "--config-settings=build-dir=$build/python/prebuilt")
     else
-        echo "bootstrap: pip compiles the module, which takes 1.5 minutes on two cores"
+        echo "bootstrap: pip compiles the module and the command, which takes 2 minutes on two cores"
     fi
     "$environment/bin/pip" install -q "${options[@]}" "$root[scipy]" </dev/null ||
         die "pip could not install the module: the first error above says why"

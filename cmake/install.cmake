@@ -81,6 +81,7 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/lacuna-config.cmake.in
     ${PROJECT_BINARY_DIR}/lacuna-config.cmake INSTALL_DESTINATION ${package_dir})
 
 if(LACUNA_COMMAND)
+    include(${CMAKE_CURRENT_LIST_DIR}/man.cmake)
     install(TARGETS lacuna_command COMPONENT command)
     if(LACUNA_HAS_MPI)
         install(TARGETS lacuna_mpi COMPONENT mpi)
@@ -93,10 +94,5 @@ if(LACUNA_COMMAND)
     if(man_pages)
         install(FILES ${man_pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command)
     endif()
-    install(FILES ${PROJECT_SOURCE_DIR}/host/cli/terminal/completion.bash RENAME lacuna
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT command)
-    install(FILES ${PROJECT_SOURCE_DIR}/host/cli/terminal/completion.zsh RENAME _lacuna
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT command)
-    install(FILES ${PROJECT_SOURCE_DIR}/host/cli/terminal/completion.fish RENAME lacuna.fish
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT command)
+    include(${CMAKE_CURRENT_LIST_DIR}/completions.cmake)
 endif()

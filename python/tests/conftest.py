@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
+import sys
 from pathlib import Path
 from typing import Any, Callable
 
@@ -15,6 +15,7 @@ import pytest
 import lacuna
 
 REPOSITORY = Path(__file__).resolve().parents[2]
+PROGRAM = Path(sys.executable).with_name("lacuna")  # the command, which pip installs with the module
 BACKENDS = ("cpu", "opencl", "vulkan", "reference")
 
 Command = Callable[..., npt.NDArray[np.float64]]
@@ -45,17 +46,12 @@ def refused(
 @pytest.fixture(scope="session")
 def command(tmp_path_factory: pytest.TempPathFactory) -> Command:
     """Runs the command lacuna, and returns the points that it writes; to the file ``more``, too."""
-    path = os.environ.get("LACUNA_COMMAND") or shutil.which(str(REPOSITORY / "build" / "lacuna"))
-    if path is None:
-        if required("python"):
-            pytest.fail("the command is not built: build/lacuna is not there")
-        pytest.skip("the command is not built: run ./bootstrap.sh run")
     folder = tmp_path_factory.mktemp("command")
 
     def run(*arguments: object, more: Path | None = None) -> npt.NDArray[np.float64]:
         file = folder / "points.npy"
         outputs = ["-o", str(file)] + (["-o", str(more)] if more else [])
-        subprocess.run([path, *map(str, arguments), "--quiet", *outputs], check=True)
+        subprocess.run([PROGRAM, *map(str, arguments), "--quiet", *outputs], check=True)
         points: npt.NDArray[np.float64] = np.load(file)
         return points
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import dataclasses
 import json
-import os
 import pickle
 import re
 import subprocess
@@ -15,7 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from conftest import REPOSITORY
+from conftest import PROGRAM, REPOSITORY
 
 import lacuna
 
@@ -81,12 +80,9 @@ def test_a_set_is_saved_as_the_command_writes_it(extension: str, tmp_path: Path)
     written = tmp_path / f"made.{extension}"
     made.save(written)
     assert written.stat().st_size > 1000
-    program = os.environ.get("LACUNA_COMMAND") or str(REPOSITORY / "build" / "lacuna")
-    if not os.path.exists(program):
-        pytest.skip("the command is not built: run ./bootstrap.sh run")
     expected = tmp_path / f"expected.{extension}"
     options = ["--radius", "0.05", "--domain", "2x1", "--seed", "3", "--quiet"]
-    subprocess.run([program, "sample", *options, "-o", expected], check=True)
+    subprocess.run([PROGRAM, "sample", *options, "-o", expected], check=True)
     if extension in ("txt", "csv", "npy", "ply", "png"):  # the others tell how the set was made
         assert written.read_bytes() == expected.read_bytes()
     if extension == "json":
@@ -179,12 +175,9 @@ def test_a_repr_is_short() -> None:
     ids=" ".join,
 )
 def test_a_report_says_what_the_command_says(options: list[str], tmp_path: Path) -> None:
-    program = os.environ.get("LACUNA_COMMAND") or str(REPOSITORY / "build" / "lacuna")
-    if not os.path.exists(program):
-        pytest.skip("the command is not built: run ./bootstrap.sh run")
     file = tmp_path / "report.json"
     subprocess.run(
-        [program, *options, "--quiet", "-o", tmp_path / "points.npy", "--report", file], check=True
+        [PROGRAM, *options, "--quiet", "-o", tmp_path / "points.npy", "--report", file], check=True
     )
     expected = json.loads(file.read_text())
     words = dict(zip(options[1::2], options[2::2])) if "--torus" not in options else {}
@@ -214,13 +207,10 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024)
 def test_a_million_points_take_no_memory_that_the_command_does_not(tmp_path: Path) -> None:
     """The peak memory is at most 24 bytes per point over the command's, besides numpy itself;
     docs/python.md has figures for ten million points."""
-    program = os.environ.get("LACUNA_COMMAND") or str(REPOSITORY / "build" / "lacuna")
-    if not os.path.exists(program):
-        pytest.skip("the command is not built: run ./bootstrap.sh run")
     count = 1_000_000
     report = tmp_path / "report.json"
     subprocess.run(
-        [program, "sample", "--count", str(count), "--torus", "--quiet"]
+        [PROGRAM, "sample", "--count", str(count), "--torus", "--quiet"]
         + ["--report", str(report), "-o", "/dev/null"],
         check=True,
         stdout=subprocess.DEVNULL,
