@@ -148,7 +148,7 @@ build() {
     build_targets
 }
 
-# With debootstrap, which makes the root of tests/systems/debian13.
+# With debootstrap, which makes the root of tests/systems/debian.
 all_packages() {
     packages+=("${more_packages[@]}" "${web_packages[@]}" "${more_web_packages[@]}" debootstrap)
     optional_packages+=("${more_optional_packages[@]}")
