@@ -192,7 +192,7 @@ print(f"import lacuna: {len(made)} points, maximal: {lacuna.verify(made).maximal
 
 # The page: static files, for any server of static files.
 web_page() {
-    local folder=$root/build-web targets=(page)
+    local folder=$root/build-web targets=(page npm)
     packages=("${web_packages[@]}")
     if [[ ${1:-} == tests ]]; then
         packages+=("${more_web_packages[@]}")

@@ -98,12 +98,25 @@ struct Asked {
     recipes::Given given;    // of sample
 };
 
+// Throws BadRequest for what the command or this module does not have, which read() leaves out.
+void check_names(const recipes::CommandLine& line, const recipes::Targets& targets) {
+    for (const auto& [name, values] : line.given) {
+        const recipes::Option* option = recipes::find_option(line.command, name);
+        const std::string value = values.empty() ? "given" : shown(values.front());
+        const auto refuse = [&name = name, &value](const char* why) {
+            throw BadRequest(std::string(name), value, why);
+        };
+        if (option == nullptr) refuse("is no option of this command");
+        if (option->is_argument()) continue;  // the picture, which is given as pixels
+        if (!targets.contains(name)) refuse("is possible with the program lacuna alone");
+        const bool is_flag = option->kind == recipes::Kind::flag;
+        if (is_flag && !values.empty()) refuse("must have no value");
+        if (!is_flag && values.empty()) refuse("must have a value");
+    }
+}
+
 // Puts the options into the order of the table and reads them.
 Asked asked_by(recipes::CommandLine& line) {
-    for (const recipes::GivenOption& given : line.given)
-        if (recipes::find_option(line.command, given.name) == nullptr)
-            throw BadRequest(std::string(given.name), "", "is no option of this command");
-    line.sort();
     Asked asked;
     recipes::Targets targets;
     if (line.command == recipes::kStipple) {
@@ -112,6 +125,8 @@ Asked asked_by(recipes::CommandLine& line) {
         targets = {{"mode", &asked.given.mode}, {"relax", &asked.given.relax}};
         targets.merge(recipes::targets_of(asked.stipple.request));
     }
+    check_names(line, targets);
+    line.sort();
     recipes::read(line, targets);
     return asked;
 }

@@ -1,0 +1,43 @@
+// The functions of the npm package. web/CMakeLists.txt puts lacuna.js and calls.js before them.
+const self = globalThis.self ?? { location: { href: "" } }; // lacuna.js looks where a worker lies
+
+const file = new URL("lacuna.wasm", import.meta.url);
+const wasm =
+    file.protocol === "file:"
+        ? (await import(/* webpackIgnore: true */ /* @vite-ignore */ "node:fs")).readFileSync(file)
+        : await (await fetch(file)).arrayBuffer();
+const verbs = verbsOf(
+    await createLacuna({
+        instantiateWasm(imports, done) {
+            WebAssembly.instantiate(wasm, imports).then(({ instance }) => done(instance));
+            return {};
+        },
+        tell() {},
+    }),
+);
+
+// { sizeByTone: 0.5, invert: true } is --size-by-tone 0.5 --invert.
+function make(command, options) {
+    const words = [command];
+    for (const [name, value] of Object.entries(options)) {
+        if (value === undefined || value === false) continue;
+        words.push(name.replace(/[A-Z]/g, (letter) => "-" + letter.toLowerCase()));
+        words.push(value === true ? "" : String(value));
+    }
+    if (words.some((word) => word.includes("\n"))) throw new Error("options: each must be one line");
+    return verbs.make({ form: words.map((word) => word + "\n").join("") });
+}
+
+export function sample(options = {}) {
+    return make("sample", options);
+}
+
+export function stipple({ width, height, data }, options = {}) {
+    const pixels = width * height;
+    if (!(Number.isInteger(width) && Number.isInteger(height) && pixels > 0))
+        throw new RangeError(`image: ${width} x ${height}: must be whole numbers of at least 1`);
+    if (data.BYTES_PER_ELEMENT !== 1 || data.length !== 4 * pixels)
+        throw new RangeError(`image.data: must be ${4 * pixels} bytes: red, green, blue, alpha of each pixel`);
+    verbs.picture({ columns: width, rows: height, rgba: data });
+    return make("stipple", options);
+}
