@@ -26,6 +26,10 @@ add_test(NAME install.initialisers COMMAND ${Python3_EXECUTABLE}
 add_test(NAME install.configuring COMMAND ${CMAKE_COMMAND}
     -D SCRATCH=${PROJECT_BINARY_DIR}/install-test/configuring -D SOURCE=${PROJECT_SOURCE_DIR}
     -D COMPILER=${CMAKE_CXX_COMPILER} -P ${PROJECT_SOURCE_DIR}/tests/install/configuring.cmake)
+add_test(NAME install.vcpkg_port COMMAND ${CMAKE_COMMAND}
+    -D SCRATCH=${PROJECT_BINARY_DIR}/install-test/vcpkg_port -D SOURCE=${PROJECT_SOURCE_DIR}
+    -D COMPILER=${CMAKE_CXX_COMPILER} -D VERSION=${PROJECT_VERSION}
+    -P ${PROJECT_SOURCE_DIR}/tests/install/vcpkg_port.cmake)
 if(LACUNA_COMMAND AND HELP2MAN)
     add_test(NAME install.man_pages COMMAND ${CMAKE_COMMAND}
         -D PROGRAM=$<TARGET_FILE:lacuna_command> -D MAN=${PROJECT_BINARY_DIR}/man

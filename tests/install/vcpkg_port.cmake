@@ -1,0 +1,63 @@
+# Given the port for vcpkg, when its portfile runs with functions in place of vcpkg's, then Lacuna can be
+# configured with its options, and what it names is there. The library is not built, and the
+# packages are the system's: whether vcpkg has those that vcpkg.json names is not tested.
+#
+# cmake -D SCRATCH=... -D SOURCE=... -D COMPILER=... -D VERSION=... -P vcpkg_port.cmake
+cmake_minimum_required(VERSION 3.25)
+set(port ${SOURCE}/cmake/vcpkg/lacuna)
+file(READ ${port}/vcpkg.json manifest)
+string(JSON version GET ${manifest} version)
+if(NOT version STREQUAL VERSION)
+    message(FATAL_ERROR "vcpkg.json has the version ${version}, lacuna/version.h ${VERSION}")
+endif()
+
+function(vcpkg_check_features)
+    cmake_parse_arguments(given "" OUT_FEATURE_OPTIONS FEATURES ${ARGN})
+    list(GET given_FEATURES 0 name)
+    list(GET given_FEATURES 1 option)
+    string(JSON ignored GET ${manifest} features ${name})  # fails if there is none
+    set(value OFF)
+    if(name IN_LIST FEATURES)
+        set(value ON)
+    endif()
+    set(${given_OUT_FEATURE_OPTIONS} -D${option}=${value} PARENT_SCOPE)
+endfunction()
+function(vcpkg_find_acquire_program variable)
+    find_program(${variable} pkg-config REQUIRED)
+endfunction()
+function(vcpkg_cmake_configure)
+    cmake_parse_arguments(given "" SOURCE_PATH OPTIONS ${ARGN})
+    execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -D CMAKE_CXX_COMPILER=${COMPILER}
+        -D CMAKE_INSTALL_LIBDIR=lib -S ${given_SOURCE_PATH} -B ${build} ${given_OPTIONS}
+        OUTPUT_QUIET ERROR_VARIABLE err RESULT_VARIABLE code)
+    # CMake warns of options that the project does not have.
+    if(NOT code EQUAL 0 OR err)
+        message(FATAL_ERROR "with the features '${FEATURES}' (${code}): ${err}")
+    endif()
+endfunction()
+function(vcpkg_cmake_install)
+endfunction()
+function(vcpkg_cmake_config_fixup name folder)
+    file(READ ${build}/cmake_install.cmake rules)
+    if(NOT rules MATCHES "/${folder}\"[^\"]*\"[^\"]*/lacuna-config.cmake\"")
+        message(FATAL_ERROR "${name} ${folder}: lacuna-config.cmake is not installed there")
+    endif()
+endfunction()
+function(vcpkg_fixup_pkgconfig)
+endfunction()
+function(vcpkg_install_copyright name file)
+    if(NOT EXISTS ${file})
+        message(FATAL_ERROR "${name} ${file}: is not there")
+    endif()
+endfunction()
+
+foreach(FEATURES IN ITEMS core extras)
+    set(build ${SCRATCH}/${FEATURES})
+    file(REMOVE_RECURSE ${build})
+    set(CURRENT_PACKAGES_DIR ${build}/packages)
+    include(${port}/portfile.cmake)
+    file(STRINGS ${build}/CMakeCache.txt extras REGEX "^LACUNA_EXTRAS:BOOL=ON")
+    if((FEATURES STREQUAL extras) AND NOT extras)
+        message(FATAL_ERROR "the feature extras does not switch on LACUNA_EXTRAS")
+    endif()
+endforeach()
