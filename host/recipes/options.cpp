@@ -32,9 +32,8 @@ constexpr Row kRows[] = {
      "By extension: {read}; - is standard input, as .txt"},
     {{"POINTS", "", Kind::read_file, kMoved, {.is_required = true}},
      "The points; - is standard input, as .txt"},
-    {{"IMAGE", "", Kind::read_file, kStipple, {.is_required = true}},
+    {{"IMAGE", "", Kind::read_file, kStipple | kMoved | kCompare},
      "The picture; - is standard input"},
-    {{"IMAGE", "", Kind::read_file, kMoved | kCompare}, "The picture; - is standard input"},
     {{"SIZE", "", Kind::text, kMask, {.is_required = true}},
      "Its sides in pixels, WIDTHxHEIGHT, each 8 to 1024"},
     {{"WHAT",
@@ -234,6 +233,9 @@ constexpr Row kRows[] = {
      "How much of the tone is in the dots' sizes, 0 to 1 (default 0: all are equally large). Areas "
      "are proportional to importance^A, and dots as dense as importance^(1 - A): with few dots "
      "more is seen"},
+    {{"frames", "PATTERN", Kind::text, kStipple, {.decides_points = false}},
+     "In place of IMAGE: the pictures of a sequence, such as 'in/*.png', in the order of their "
+     "names, each to a file -o 'out/{frame}.svg'. Dots keep their index, but with --pen-path"},
     {{"keep-inside", "", Kind::flag, kStipple},
      "Keeps dots off white, and in the picture: dots that overhang an edge are moved inwards, and "
      "in a shape narrower than a dot they are made smaller, but not smaller than a pen. Where the "

@@ -81,6 +81,10 @@ constexpr Pairs kPairs[] = {
      "a line has no dots of its own"},
     {kStipple, "plot-time", Needs::none_of, "count scale limit ink-counts",
      "both give the number of dots"},
+    {kStipple, "frames", Needs::none_of, "IMAGE", "one of them names the pictures"},
+    {kStipple, "frames", Needs::none_of, "inks along mode=cells mode=exact scale metric limit",
+     "the dots of one picture are moved on to the next"},
+    {kStipple, "frames", Needs::none_of, "report", "is about one set: give an --output of .json"},
     {kSample | kStipple | kRelax | kOrder, "margin", Needs::one_of, "paper-size",
      "is a margin of the paper"},
 

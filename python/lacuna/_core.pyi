@@ -65,7 +65,11 @@ def sample_many(
     options: Options, seeds: list[int], progress: Progress | None
 ) -> list[dict[str, Any]]: ...
 def stipple(
-    picture: Picture, options: Options, inks: list[Ink], progress: Progress | None
+    picture: Picture,
+    options: Options,
+    inks: list[Ink],
+    start: Floats | None,
+    progress: Progress | None,
 ) -> dict[str, Any]: ...
 def relax(
     points: Floats, field: Field | None, options: Options, progress: Progress | None

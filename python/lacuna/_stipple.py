@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Literal, Sequence, SupportsFloat
 import numpy as np
 
 from . import _core
-from ._arguments import numbers, options, path_bytes, text, watched
+from ._arguments import numbers, options, path_bytes, points_array, text, watched
 from ._errors import BadRequest, FileError
-from ._sets import Stippling, set_attributes
+from ._sets import PointSet, Stippling, set_attributes
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -32,6 +32,7 @@ def stipple(
     image: str | bytes | os.PathLike[str] | npt.ArrayLike,
     n: Whole | None = None,
     *,
+    start: PointSet | npt.ArrayLike | None = None,
     scale: SupportsFloat | None = None,
     relax: Whole | None = None,
     metric: Metric | None = None,
@@ -86,6 +87,10 @@ def stipple(
     n : int, optional
         Exactly ``n`` dots. By default, without ``scale``, one dot for 16 black pixels, at most a
         million. A grey pixel counts by its darkness; the longer side counts as 512 to 2048 pixels.
+    start : PointSet or array_like, shape (N, 2), optional
+        The dots of the picture before this one in a sequence, which are moved on: each keeps its
+        index, and changes its place little where the pictures are alike. Not with ``inks``,
+        ``along``, ``scale`` or ``relax=0``.
     scale : float
         The radius where the picture is black, if its longer side is 1.
     relax : int, optional
@@ -209,9 +214,12 @@ progress
         raise BadRequest(f"margin '{margin}': needs paper_size", "margin")
     palette = [] if inks is None else _core.inks_of(text("inks", inks))
     picture = _picture(image)
+    first = None if start is None else points_array("start", start)
+    if first is not None and len(first) == 0:
+        raise BadRequest("start: must have at least one point", "start")
     try:
         with watched(progress) as told:
-            made = _core.stipple(picture, asked, palette, told)
+            made = _core.stipple(picture, asked, palette, first, told)
     except FileError as error:
         if isinstance(image, (str, bytes, os.PathLike)):
             raise

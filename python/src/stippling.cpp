@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,8 +44,10 @@ StippleOptions options_of(const nb::dict& given, const std::vector<Ink>& inks) {
 
 // The dots of a picture as attributes of a Stippling.
 nb::dict stipple_picture(const Picture& picture, const nb::dict& given,
-                         const std::vector<Ink>& inks, nb::object progress) {
-    const StippleOptions options = options_of(given, inks);
+                         const std::vector<Ink>& inks, const std::optional<PointArray>& start,
+                         nb::object progress) {
+    StippleOptions options = options_of(given, inks);
+    if (start) options.start_points = points_of(*start);
     Watch watch(std::move(progress));
     Stippling dots;
     {
@@ -92,7 +95,8 @@ void add_stippling(nb::module_& module) {
             new (self) Picture{bytes_of(content), "image"};
         });
     module.def("read_picture", read_file);
-    module.def("stipple", stipple_picture, nb::arg(), nb::arg(), nb::arg(), nb::arg().none());
+    module.def("stipple", stipple_picture, nb::arg(), nb::arg(), nb::arg(), nb::arg().none(),
+               nb::arg().none());
 }
 
 }  // namespace lacuna::python

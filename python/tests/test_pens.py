@@ -79,3 +79,18 @@ def test_what_is_not_understood_is_refused(argument: str, arguments: dict[str, A
     with pytest.raises(lacuna.BadRequest) as caught:
         lacuna.stipple(np.eye(8), 30, seed=1, **arguments)
     assert caught.value.argument == argument, str(caught.value)
+
+
+def test_dots_of_the_next_picture_begin_where_those_of_the_last_lie() -> None:
+    x = np.arange(60) * np.ones((40, 1))
+    first = lacuna.stipple(x, 200, seed=1)
+    second = lacuna.stipple(x + 1, start=first)
+    assert 0 < np.abs(second.points - first.points).max() < 0.05
+    again = lacuna.stipple(x + 1, 200, start=first.points)
+    assert again.points.tobytes() == second.points.tobytes()
+    for argument, wrong in (
+        ("count", {"n": 199}), ("frames", {"relax": 0}), ("frames", {"inks": "red"}),
+        ("start", {"start": np.zeros((0, 2))}), ("point", {"start": [[0.5, 2.0]]}),
+    ):  # fmt: skip
+        with pytest.raises(lacuna.BadRequest, match=argument):
+            lacuna.stipple(x, **{"start": first, **wrong})

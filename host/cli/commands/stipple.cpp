@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 #include <lacuna/stipple.h>
 
+#include <CLI/Error.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -17,6 +19,7 @@
 #include "cli/options/common_options.h"
 #include "cli/options/domain_options.h"
 #include "cli/options/drawing.h"
+#include "cli/options/frames.h"
 #include "cli/options/relaxation.h"
 #include "cli/reports/output.h"
 #include "cli/reports/report.h"
@@ -95,6 +98,7 @@ that are too dark or too light as a whole use --auto-levels.
 struct StippleCommand {
     CommonOptions common;  // its request is that of `stipple` once that is settled
     std::string image;     // path
+    std::string frames;    // a pattern of paths, in place of it
     StippleOptions stipple;
     std::optional<double> pixels_per_inch;
     bool ellipse_columns = false;
@@ -117,7 +121,9 @@ std::string names_of(const std::vector<Ink>& inks) {
 std::vector<Output> checked_outputs(const CommandLine& line, const StippleCommand& all,
                                     const StippleOptions& options) {
     check(options);
-    const std::vector<Output> outputs = checked_outputs(all.common, files_read(line));
+    std::vector<GivenFile> read = files_read(line);
+    if (!all.frames.empty()) read.push_back({"--frames", all.image});
+    const std::vector<Output> outputs = checked_outputs(all.common, read);
     check_ellipse_columns(all.ellipse_columns, outputs);
     if (!options.inks.empty() && !loss_of_columns(outputs).empty())
         throw BadRequest("inks", names_of(options.inks),
@@ -219,7 +225,8 @@ std::string plot_text(const StippleOptions& options, const files::PointSet& set,
                        time_text(made.plot_seconds), dots, options.plotter.seconds_per_metre);
 }
 
-void run(const CommandLine& line, const StippleCommand& all) {
+// Makes the dots of one picture, and its files. Returns the dots.
+std::vector<Point> run_one(const CommandLine& line, const StippleCommand& all) {
     const StippleOptions options = stipple_options(all);
     const std::vector<Output> outputs = checked_outputs(line, all, options);
     const DrawingOptions drawing = checked_drawing(
@@ -252,11 +259,37 @@ void run(const CommandLine& line, const StippleCommand& all) {
     write_set(writing, drawing, outputs, set, style, [&] { return dots.diameters; });
     sum_up(common, outputs, made, "dot", note_on_count(options, dots),
            plot_text(options, set, style, dots));
+    return dots.result.points;
+}
+
+// The picture, or those of a sequence: each begins with the dots of the one before.
+void run(const CommandLine& line, const StippleCommand& all) {
+    if (all.frames.empty()) {
+        if (all.image.empty()) throw CLI::RequiredError("IMAGE");
+        run_one(line, all);
+        return;
+    }
+    std::vector<StippleCommand> frames;
+    for (const Frame& frame : frames_of(all.frames, all.common.output.paths)) {
+        StippleCommand& one = frames.emplace_back(all);
+        one.image = frame.image;
+        one.common.output.paths = frame.outputs;
+        StippleOptions later = one.stipple;  // as it is with the dots of another picture
+        later.start_points = {Point{}};
+        later.request.count.reset();
+        checked_outputs(line, one, later);
+    }
+    std::vector<Point> dots;
+    for (StippleCommand& one : frames) {
+        one.stipple.start_points = std::move(dots);
+        dots = run_one(line, one);
+    }
 }
 
 // Where the value of each option goes.
 Targets targets_of(StippleCommand& all) {
     Targets targets{{"IMAGE", &all.image},
+                    {"frames", &all.frames},
                     {"ellipse-columns", &all.ellipse_columns},
                     {"dpi", &all.pixels_per_inch},
                     {"report", &all.common.report},

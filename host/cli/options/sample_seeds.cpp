@@ -35,11 +35,8 @@ namespace {
 constexpr std::string_view kPlace = "{seed}";
 constexpr std::uint64_t kMostSeeds = 1'000'000;
 
-std::string path_of(std::string path, std::uint64_t seed) {
-    const std::string number = std::to_string(seed);
-    for (std::size_t at = path.find(kPlace); at != std::string::npos; at = path.find(kPlace, at))
-        path.replace(at, kPlace.size(), number);
-    return path;
+std::string path_of(const std::string& path, std::uint64_t seed) {
+    return with_name(path, kPlace, std::to_string(seed));
 }
 
 std::vector<Output> outputs_of_seed(const std::vector<Output>& outputs, std::uint64_t seed) {

@@ -82,6 +82,15 @@ std::string loss_of_columns(const std::vector<Output>& outputs) {
     return "";
 }
 
+std::string with_name(std::string path, std::string_view place, const std::string& name) {
+    std::size_t at = 0;
+    while ((at = path.find(place, at)) != std::string::npos) {
+        path.replace(at, place.size(), name);
+        at += name.size();
+    }
+    return path;
+}
+
 bool is_stream(const std::string& path) {
     if (path == "-" || files::descriptor_named(path)) return true;
     std::error_code error;

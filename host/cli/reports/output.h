@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/terminal/interruption.h"
@@ -28,6 +29,9 @@ struct Output {
 // stop reading. Throws BadRequest, and files::FileError if a file cannot be made.
 std::vector<Output> outputs_of(const OutputOptions& options, const std::string& allowed,
                                const std::string& usual);
+
+// The path with `name` wherever it has `place`, such as {seed}.
+std::string with_name(std::string path, std::string_view place, const std::string& name);
 
 // Whether the path is no regular file: standard output, a descriptor, a device or a pipe.
 bool is_stream(const std::string& path);

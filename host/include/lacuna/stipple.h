@@ -60,6 +60,10 @@ struct StippleOptions {
     // because a stratified set keeps no least distance. Without relaxing cells, and exact with
     // Tone::along.
     std::optional<Mode> start{};
+    // In place of these: the dots of the picture before this one in a sequence. They are moved on,
+    // so that each keeps its index and changes its place little where the pictures are alike. They
+    // must be relaxed, in one colour, and lie in the domain; a count must be their number.
+    std::vector<Point> start_points{};
     std::optional<Metric> metric{};  // default: mean in cells that are relaxed, else min
     // How often the dots are moved. Default: 15, but 0 with Tone::along.
     std::optional<std::uint32_t> relax{};

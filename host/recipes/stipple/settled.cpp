@@ -37,6 +37,8 @@ recipes::CommandLine line_of(StippleOptions options) {
     if (options.pens)
         line.given.push_back({options.pens->widths_mm.empty() ? "dot-size" : "pens",
                               {shortest(options.pens->least_mm) + "mm"}});
+    if (!options.start_points.empty())
+        line.given.push_back({"frames", {fmt::format("{} dots", options.start_points.size())}});
     if (options.plot_seconds)
         line.given.push_back({"plot-time", {shortest(*options.plot_seconds) + "s"}});
     return line;
@@ -147,6 +149,13 @@ Stippling recipes::settled(const StippleOptions& options) {
                                .relax = options.relax};
     Stippling made{.request = options.request};
     made.iterations = recipes::relax_of(given);
+    if (!options.start_points.empty() && made.iterations == 0)
+        throw BadRequest("frames", "with --relax 0", "must be relaxed: their dots are moved on");
+    if (!options.start_points.empty() &&
+        options.request.count.value_or(options.start_points.size()) != options.start_points.size())
+        throw BadRequest("count", std::to_string(*options.request.count),
+                         fmt::format("must be the number of dots to start with, {}",
+                                     options.start_points.size()));
     made.paper_colour = options.paper_colour;
     made.is_for_a_pen = options.pen_path || options.path_line || options.plot_seconds;
     recipes::settle(given, made.request);

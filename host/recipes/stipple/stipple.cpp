@@ -86,7 +86,9 @@ private:
     // Sets the number of dots, in all and of each ink.
     void choose_count() {
         const auto& counts = options_.ink_counts;
-        if (!counts.empty())
+        if (!options_.start_points.empty())
+            request().count = options_.start_points.size();
+        else if (!counts.empty())
             request().count = sum_of(counts);
         else if (options_.plot_seconds)
             request().count = drawing::plotted_count(tones_, request().domain, style_, plotter(),
@@ -112,10 +114,13 @@ private:
     // Places the dots and moves them.
     void place() {
         const recipes::Moves moves{.iterations = made_.iterations, .measure = options_.measure};
+        const std::vector<Point>& start = options_.start_points;
         recipes::Made placed =
             tones_.has_inks()
                 ? recipes::make_in_inks(request(), drawing::parts_of(tones_), moves, observer_)
-                : recipes::make(request(), moves, observer_);
+            : start.empty() ? recipes::make(request(), moves, observer_)
+                            : recipes::move_on(start, request(), moves, observer_);
+        if (!start.empty()) recipes::note_moves(request(), placed.result);
         made_.result = std::move(placed.result);
         made_.relaxed = std::move(placed.relaxed);
     }

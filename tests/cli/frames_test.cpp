@@ -1,0 +1,83 @@
+// Given a sequence of pictures, `lacuna stipple --frames` makes dots that glide from one to the
+// next.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/stippling.h"
+#include "files/read_points.h"
+#include "program.h"
+
+namespace {
+
+using namespace lacuna::tests;
+using lacuna::Point;
+
+// A white bar on grey, which moves to the right.
+std::string frame(const Folder& folder, int number) {
+    std::string pixels(40UL * 30, static_cast<char>(128));
+    for (std::size_t row = 0; row < 30; ++row)
+        for (std::size_t column = 0; column < 4; ++column)
+            pixels[row * 40 + 5 + static_cast<std::size_t>(number) + column] =
+                static_cast<char>(255);
+    const std::string made = grey_picture(folder, 40, 30, pixels);
+    const std::string path = folder.path("in/" + std::to_string(number) + ".pgm");
+    std::filesystem::create_directories(folder.path("in"));
+    std::filesystem::rename(made, path);
+    return path;
+}
+
+TEST(StippleFrames, EachDotKeepsItsIndexAndMovesLittle) {
+    const Folder folder;
+    for (int number = 0; number < 3; ++number) frame(folder, number);
+    const Outcome outcome = run({"stipple", "--frames", folder.path("in/*.pgm"), "--count", "800",
+                                 "--seed", "3", "-o", folder.path("{frame}.npy")});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 3) << "a line a picture";
+    std::vector<Point> before = lacuna::files::read_points(folder.path("0.npy"));
+    EXPECT_EQ(before, points_of(folder.path("in/0.pgm"),
+                                {"--count", "800", "--seed", "3", "--relax", "15"}));
+    const double spacing = std::sqrt(0.75 / 800);
+    for (const char* name : {"1.npy", "2.npy"}) {
+        const std::vector<Point> dots = lacuna::files::read_points(folder.path(name));
+        ASSERT_EQ(dots.size(), 800U);
+        std::vector<double> moves;
+        for (std::size_t i = 0; i < dots.size(); ++i)
+            moves.push_back(std::hypot(dots[i].x - before[i].x, dots[i].y - before[i].y) / spacing);
+        std::sort(moves.begin(), moves.end());
+        EXPECT_LT(moves[400], 0.2) << name;
+        EXPECT_GT(moves.back(), 0.1) << name << ": dots near the bar move";
+        before = dots;
+    }
+}
+
+TEST(StippleFrames, AreCheckedBeforeTheFirstIsMade) {
+    const Folder folder;
+    frame(folder, 0);
+    frame(folder, 1);
+    const std::string all = folder.path("in/*.pgm"), out = folder.path("{frame}.svg");
+    const auto refusal = [&](const Names& more) {
+        return run(joined({"stipple", "--frames"}, more)).err;
+    };
+    const auto expect = [&](const Names& more, const std::string& part) {
+        const std::string err = refusal(more);
+        EXPECT_NE(err.find(part), std::string::npos) << err;
+        EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
+        EXPECT_FALSE(std::filesystem::exists(folder.path("0.svg"))) << part;
+    };
+    expect({folder.path("no/*"), "-o", out}, "must match pictures");
+    expect({all, "-o", folder.path("a.svg")}, "must have {frame} in its name");
+    expect({all, "-o", out, "--relax", "0"}, "must be relaxed");
+    expect({all, "-o", out, "--inks", "cmyk"}, "with --inks: ");
+    expect({all, "-o", folder.path("in/{frame}.pgm.svg/a.svg")}, "a.svg");
+    std::filesystem::copy(folder.path("in/0.pgm"), folder.path("in/0.png"));
+    expect({folder.path("in/*"), "-o", out}, "two are called 0");
+}
+
+}  // namespace
