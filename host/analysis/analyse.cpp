@@ -210,10 +210,19 @@ void check_radius(double radius) {
                          "must be a finite number greater than 0");
 }
 
-Analysis analyse(std::span<const std::vector<Point>> sets, const Domain& domain,
+Analysis analyse(std::span<const std::vector<Point>> given, const Domain& domain,
                  std::span<const std::optional<double>> radii, const KeepGoing& keep_going,
                  const Effort& effort) {
-    verify::check_domain({domain.width, domain.height});
+    verify::check_domain(
+        {.width = domain.width, .height = domain.height, .x0 = domain.x0, .y0 = domain.y0});
+    std::vector<std::vector<Point>> moved;
+    std::span<const std::vector<Point>> sets = given;
+    if (domain.x0 != 0 || domain.y0 != 0) {
+        moved.assign(given.begin(), given.end());
+        for (std::vector<Point>& points : moved)
+            for (Point& point : points) point = domain.from_corner(point);
+        sets = moved;
+    }
     for (const std::optional<double>& radius : radii)
         if (radius) check_radius(*radius);
     check_effort(effort);

@@ -7,6 +7,7 @@
 
 #include "analysis/analyse.h"
 #include "base/polling.h"
+#include "plan/corner.h"
 #include "verify/verify.h"
 
 namespace lacuna {
@@ -19,17 +20,15 @@ void check(std::span<const std::vector<Point>> sets, const Domain& domain) {
         if (sets[i].empty())
             throw BadRequest("sets", std::to_string(i), "must have at least one point");
         // As in analyse(), points may lie on the upper edges, on a torus too.
-        const auto is_inside = [&](Point p) {
-            return p.x >= 0 && p.x <= domain.width && p.y >= 0 && p.y <= domain.height;
-        };
+        const verify::Domain with_edges{domain.width, domain.height, false, domain.x0, domain.y0};
+        const auto is_inside = [&](Point p) { return with_edges.contains(p); };
         const auto out = std::find_if_not(sets[i].begin(), sets[i].end(), is_inside);
         if (out != sets[i].end())
             throw BadRequest(
                 "sets",
                 fmt::format("point {}{} at ({}, {})", out - sets[i].begin(),
                             sets.size() == 1 ? "" : fmt::format(" of set {}", i), out->x, out->y),
-                fmt::format("must lie in the domain, [0, {}] x [0, {}]", domain.width,
-                            domain.height));
+                "must lie in the domain, " + extent_of(domain, ']'));
     }
 }
 

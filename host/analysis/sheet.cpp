@@ -74,17 +74,26 @@ std::string numbers(const Analysis& analysis) {
     return line;
 }
 
+// The name of an axis that begins at the corner: its numbers would be too long for the sheet.
+std::string axis_from(const char* name, double corner) {
+    if (corner == 0) return name;
+    return fmt::format("{} {} {:.10g}", name, corner < 0 ? "+" : "\u2212", std::abs(corner));
+}
+
 void draw_points(Canvas& canvas, const Analysis& analysis, std::span<const Point> points) {
     const Domain& domain = analysis.domain;
     const Rectangle box =
         fitted({kLeft, kUpper, kPanelWidth, kUpperHeight}, domain.width, domain.height);
-    Plot plot(canvas, box, {0, domain.width, "x"}, {0, domain.height, "y"});
+    Plot plot(canvas, box, {0, domain.width, axis_from("x", domain.x0)},
+              {0, domain.height, axis_from("y", domain.y0)});
     plot.draw_axes(analysis.sets == 1 ? "Points" : "Points of the first set", Grid::none);
     std::vector<Position> positions;
     positions.reserve(points.size());
-    for (const Point& point : points)
-        positions.push_back({box.left + point.x / domain.width * box.width,
-                             box.bottom() - point.y / domain.height * box.height});
+    for (const Point& point : points) {
+        const Point way = domain.from_corner(point);
+        positions.push_back({box.left + way.x / domain.width * box.width,
+                             box.bottom() - way.y / domain.height * box.height});
+    }
     constexpr double kMaximalRadius = 0.8346;  // of a maximal set, in mean spacings: sqrt(0.69656)
     const double radius =
         analysis.radius.value_or(kMaximalRadius * mean_spacing(domain, points.size()));

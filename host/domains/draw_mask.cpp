@@ -24,6 +24,7 @@
 #include "domains/draw_tree.h"
 #include "domains/rings.h"
 #include "files/read_whole.h"
+#include "plan/corner.h"
 #include "plan/mask_tree.h"
 
 namespace lacuna {
@@ -44,8 +45,8 @@ double pixels_along(double length, double edge, double longer) {
 domains::Canvas canvas_of(const Domain& domain, double edge) {
     const auto is_a_side = [](double side) { return side >= 1e-100 && side <= 1e100; };
     if (!is_a_side(domain.width) || !is_a_side(domain.height))
-        throw BadRequest("domain", fmt::format("{}x{}", domain.width, domain.height),
-                         "the sides must lie between 1e-100 and 1e100");
+        throw BadRequest("domain", text_of(domain), "the sides must lie between 1e-100 and 1e100");
+    check_corner(domain);
     if (!std::isfinite(edge) || !(edge > 0))
         throw BadRequest("edge", fmt::format("{}", edge), "must be a finite number greater than 0");
     const double longer = domain.longer_side();
@@ -56,7 +57,7 @@ domains::Canvas canvas_of(const Domain& domain, double edge) {
     const auto along = [&](double length) {
         return static_cast<std::uint32_t>(pixels_along(length, edge, longer));
     };
-    return {domain.width, domain.height, along(domain.width), along(domain.height)};
+    return {domain, along(domain.width), along(domain.height)};
 }
 
 [[noreturn]] void refuse_memory(double edge, const std::string& what, double most_bytes,
@@ -78,13 +79,14 @@ struct Extent {
                 most = {std::max(most.x, point.x + reach), std::max(most.y, point.y + reach)};
             }
     }
-    // Whether a domain that begins at 0, 0 is at most twice as wide and high as needed.
+    // Whether a domain whose corner is 0, 0 is at most twice as wide and high as needed.
     bool begins_near_0() const {
         return least.x >= 0 && least.y >= 0 && least.x <= most.x - least.x &&
                least.y <= most.y - least.y;
     }
     bool meets(const Domain& domain) const {
-        return least.x < domain.width && most.x >= 0 && least.y < domain.height && most.y >= 0;
+        return least.x < domain.x0 + domain.width && most.x >= domain.x0 &&
+               least.y < domain.y0 + domain.height && most.y >= domain.y0;
     }
     std::string text() const {
         return fmt::format("[{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]", least.x, most.x, least.y,
@@ -123,8 +125,7 @@ void check(const PolygonSet& set) {
     std::vector<PolygonSet> allowed;
     std::copy_if(sets.begin(), sets.end(), std::back_inserter(allowed), is_allowed);
     const bool has_forbidden = allowed.size() != sets.size();
-    const std::string all =
-        fmt::format("the domain, [0, {:.6g}) x [0, {:.6g})", domain.width, domain.height);
+    const std::string all = "the domain, " + extent_of(domain, ')');
     std::size_t rings = 0;
     for (const PolygonSet& set : allowed.empty() ? sets : allowed) rings += set.rings.size();
     const std::string count = fmt::format("{} ring{}", rings, rings == 1 ? "" : "s");
@@ -160,8 +161,10 @@ std::shared_ptr<const DrawnMask> drawn(std::span<const PolygonSet> sets,
             return static_cast<std::uint32_t>(std::clamp(share * count, 0.0, count - 1.0));
         };
         // Only near edges a pixel does not decide.
-        return pixels->at(pixel(at.x / canvas.width, canvas.columns),
-                          pixel(at.y / canvas.height, canvas.rows)) != ALLOWED_NONE ||
+        const Domain& domain = canvas.domain;
+        const Point way = domain.from_corner(at);
+        return pixels->at(pixel(way.x / domain.width, canvas.columns),
+                          pixel(way.y / domain.height, canvas.rows)) != ALLOWED_NONE ||
                domains::allow(owned->sets, at);
     };
     return mask;
@@ -174,11 +177,15 @@ Domain domain_around(std::span<const PolygonSet> sets) {
     const Extent all = extent_of(sets);
     if (all.least.x >= 0 && all.least.y >= 0 && all.most.x <= 1 && all.most.y <= 1) return {};
     if (all.begins_near_0()) return {all.most.x, all.most.y};
-    throw BadRequest(
-        "domain", "missing",
-        fmt::format("the places given lie in {}, far from 0, 0, where a domain begins: subtract "
-                    "({:.10g}, {:.10g}) from all points, or give a domain",
-                    all.text(), all.least.x, all.least.y));
+    const Domain box{.width = all.most.x - all.least.x,
+                     .height = all.most.y - all.least.y,
+                     .x0 = all.least.x,
+                     .y0 = all.least.y};
+    if (box.shorter_side() > 0) return box;
+    throw BadRequest("domain", "missing",
+                     fmt::format("the places given lie in {}, which has no area: give a domain "
+                                 "that has one",
+                                 all.text()));
 }
 
 void check_places(std::span<const PolygonSet> sets, const Domain& domain) {
@@ -192,8 +199,8 @@ void check_places(std::span<const PolygonSet> sets, const Domain& domain) {
         if (!extent.meets(domain))
             throw BadRequest(file.first, file.second.empty() ? "all of it" : file.second,
                              fmt::format("lies in {}, and must not lie wholly outside of the "
-                                         "domain, [0, {:.6g}) x [0, {:.6g})",
-                                         extent.text(), domain.width, domain.height));
+                                         "domain, {}",
+                                         extent.text(), extent_of(domain, ')')));
 }
 
 Mask draw_places(std::span<const PolygonSet> sets, const Domain& domain, double edge,

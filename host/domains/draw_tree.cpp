@@ -65,7 +65,7 @@ bool cut_off(Point& lower, Point& upper, Side side, Put put) {
 
 // Whether something of the edge is left within `far` of the domain.
 bool cut_off_far(Point& lower, Point& upper, const Canvas& canvas, double far) {
-    const double right = canvas.width + far, top = canvas.height + far;
+    const double right = canvas.domain.width + far, top = canvas.domain.height + far;
     return cut_off(
                lower, upper, [&](Point p) { return p.x + far; }, [&](Point& p) { p.x = -far; }) &&
            cut_off(
@@ -135,7 +135,7 @@ class Drawer {
 public:
     Drawer(std::span<const PolygonSet> sets, const Canvas& canvas, std::size_t most_nodes)
         : canvas_(canvas),
-          scale_{canvas.columns / canvas.width, canvas.rows / canvas.height},
+          scale_{canvas.columns / canvas.domain.width, canvas.rows / canvas.domain.height},
           most_nodes_(most_nodes),
           tree_(canvas.columns, canvas.rows) {
         for (const PolygonSet& set : sets) add(set);
@@ -175,12 +175,13 @@ private:
 
     void add(const PolygonSet& set) {
         const Kind kind{set.forbidden, set.distance > 0,
-                        set.distance + canvas_.longer_side() * 0x1p-27};
+                        set.distance + canvas_.domain.longer_side() * 0x1p-27};
         Active active{
             static_cast<std::uint32_t>(kinds_.size()), false, {near_.size(), 0}, {left_.size(), 0}};
         for (const PolygonRing& ring : set.rings)
             for (std::size_t i = 0; i < ring.size(); ++i)
-                add(ring[i], ring[(i + 1) % ring.size()], canvas_.longer_side() + kind.reach);
+                add(from_corner(ring[i]), from_corner(ring[(i + 1) % ring.size()]),
+                    canvas_.domain.longer_side() + kind.reach);
         active.near.end = near_.size();
         active.left.end = left_.size();
         active_.push_back(active);
@@ -188,6 +189,10 @@ private:
         has_inside_ |= !set.forbidden;
     }
 
+    // Edges and squares are seen from the domain's corner.
+    Point from_corner(Point point) const {
+        return {point.x - canvas_.domain.x0, point.y - canvas_.domain.y0};
+    }
     void add(Point lower, Point upper, double far) {
         ask_after();
         if (lower.y > upper.y) std::swap(lower, upper);
@@ -199,7 +204,8 @@ private:
         if (is_near) {
             edge.lower = lower;
             edge.upper = upper;
-        } else if (!crosses || edge.x_at((edge.first_row + 0.5) / scale_.y) > canvas_.width / 2) {
+        } else if (!crosses ||
+                   edge.x_at((edge.first_row + 0.5) / scale_.y) > canvas_.domain.width / 2) {
             return;
         }
         (is_near ? near_ : left_).push_back(static_cast<std::uint32_t>(edges_.size()));

@@ -13,12 +13,9 @@
 namespace lacuna::domains {
 
 struct Canvas {
-    double width;  // of the domain
-    double height;
+    Domain domain;
     std::uint32_t columns;  // of the mask
     std::uint32_t rows;
-
-    double longer_side() const { return width > height ? width : height; }
 };
 
 // A pixel is allowed if all of it lies where samples may lie, by the sets' edges as they are given.

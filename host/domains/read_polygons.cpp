@@ -87,10 +87,10 @@ std::vector<PolygonRing> fitted(Polygons polygons, const Domain& domain) {
     if (!polygons.page) return std::move(polygons.rings);
     const double along = domain.width / polygons.page->width;
     const double up = domain.height / polygons.page->height;
-    if (along == 1 && up == 1) return std::move(polygons.rings);
+    if (along == 1 && up == 1 && !domain.has_corner()) return std::move(polygons.rings);
     for (PolygonRing& ring : polygons.rings)
         for_each_polled(ring.size(), ask, [&](std::size_t i) {
-            ring[i] = {ring[i].x * along, ring[i].y * up};
+            ring[i] = domain.at({ring[i].x * along, ring[i].y * up});
         });
     return std::move(polygons.rings);
 }

@@ -75,8 +75,9 @@ double in_steps(double size) {
 }  // namespace
 
 double importance_at(Point point, const Field& field, const Domain& domain) {
-    const std::size_t row = field.rows - 1 - pixel_of(point.y, domain.height, field.rows);
-    return field.importance[row * field.columns + pixel_of(point.x, domain.width, field.columns)];
+    const Point way = domain.from_corner(point);
+    const std::size_t row = field.rows - 1 - pixel_of(way.y, domain.height, field.rows);
+    return field.importance[row * field.columns + pixel_of(way.x, domain.width, field.columns)];
 }
 
 bool Sizing::varies() const {

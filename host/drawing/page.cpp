@@ -13,6 +13,12 @@ namespace {
 
 constexpr double kLongerSideInPoints = 512;
 
+// The page on which the domain's lower left corner lies at (left, bottom).
+Page page_with(const Domain& domain, double width, double height, double scale, double left,
+               double bottom) {
+    return {width, height, scale, left - domain.x0 * scale, bottom + domain.y0 * scale};
+}
+
 }  // namespace
 
 Page page_of(const files::PointSet& set, const Style& style, double units_per_point) {
@@ -20,13 +26,14 @@ Page page_of(const files::PointSet& set, const Style& style, double units_per_po
         const double longer = set.domain.longer_side();
         const double longer_side = kLongerSideInPoints * units_per_point;
         const double height = longer_side * (set.domain.height / longer);
-        return {longer_side * (set.domain.width / longer), height, longer_side / longer, 0, height};
+        return page_with(set.domain, longer_side * (set.domain.width / longer), height,
+                         longer_side / longer, 0, height);
     }
     const double unit = units_per_point * kPointsPerInch / kMillimetresPerInch;
     const double scale = unit * millimetres_per_unit(set, style);
     const double width = style.sheet->width_mm * unit, height = style.sheet->height_mm * unit;
-    return {width, height, scale, (width - set.domain.width * scale) / 2,
-            (height + set.domain.height * scale) / 2};
+    return page_with(set.domain, width, height, scale, (width - set.domain.width * scale) / 2,
+                     (height + set.domain.height * scale) / 2);
 }
 
 double millimetres_per_unit(const files::PointSet& set, const Style& style) {

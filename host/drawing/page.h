@@ -20,8 +20,8 @@ struct Page {
     double width;
     double height;
     double scale;
-    double left;    // the domain's left edge
-    double bottom;  // the domain's lower edge, counted from the page's top
+    double left;    // where x is 0: the left edge of a domain whose corner is (0, 0)
+    double bottom;  // where y is 0, counted from the page's top
     double x_of(Point point) const { return left + point.x * scale; }
     double y_of(Point point) const { return bottom - point.y * scale; }
 };

@@ -25,6 +25,8 @@ using Json = nlohmann::json;
 struct JsonHeader {
     std::optional<double> width;
     std::optional<double> height;
+    double x0 = 0;
+    double y0 = 0;
     std::optional<double> radius;
     std::optional<Boundary> boundary;
     std::optional<std::string> mode;
@@ -211,6 +213,8 @@ private:
                                           key_, value));
             if (value > 0) field = value;
         };
+        if (key_ == "x0") header_.x0 = value;
+        if (key_ == "y0") header_.y0 = value;
         if (key_ == "width") set(header_.width);
         if (key_ == "height") set(header_.height);
         if (key_ == "radius") set(header_.radius);
@@ -276,8 +280,9 @@ SetsOfFile decode_json(std::string_view bytes, const std::string& name) {
     const JsonHeader& header = handler.header();
     if (header.width.has_value() != header.height.has_value())
         refuse(name, R"("width" and "height" must be there both or neither)");
-    file.width = header.width;
-    file.height = header.height;
+    if (header.width)
+        file.domain = {
+            .width = *header.width, .height = *header.height, .x0 = header.x0, .y0 = header.y0};
     file.radius = header.radius;
     file.boundary = header.boundary;
     file.mode = header.mode;

@@ -111,6 +111,12 @@ std::string encode_json(const PointSet& set) {
     append_json_number(bytes, set.domain.width);
     bytes += ",\"height\":";
     append_json_number(bytes, set.domain.height);
+    if (set.domain.has_corner()) {
+        bytes += ",\"x0\":";
+        append_json_number(bytes, set.domain.x0);
+        bytes += ",\"y0\":";
+        append_json_number(bytes, set.domain.y0);
+    }
     bytes += ",\"radius\":";
     append_json_number(bytes, set.radius);
     if (set.origin != nullptr && set.origin->scale > 0) {

@@ -31,9 +31,8 @@ struct LayersOfFile {
 
 struct SetsOfFile {
     std::vector<std::vector<Point>> sets;
-    std::optional<double> width;  // width of the domain; only in .json, together with the height
-    std::optional<double> height;
-    std::optional<double> radius;  // only in .json, as all members below
+    std::optional<Domain> domain;  // without its boundary; only in .json, as all members below
+    std::optional<double> radius;
     std::optional<Boundary> boundary;
     std::optional<std::string> mode;
     std::optional<bool> maximal;  // whether no further sample fits

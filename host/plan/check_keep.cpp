@@ -13,6 +13,7 @@
 
 #include "base/number_text.h"
 #include "base/polling.h"
+#include "plan/corner.h"
 #include "plan/ellipse.h"
 #include "plan/kept.h"
 #include "plan/mask_tree.h"
@@ -131,11 +132,14 @@ private:
     static std::uint64_t cell_of(double share, std::uint64_t cells) {
         return std::min(static_cast<std::uint64_t>(share * static_cast<double>(cells)), cells - 1);
     }
+    Point way_to(std::uint32_t index) const {
+        return request_.domain.from_corner(request_.keep[index]);
+    }
     std::uint64_t column_of(std::uint32_t index) const {
-        return cell_of(request_.keep[index].x / request_.domain.width, columns_);
+        return cell_of(way_to(index).x / request_.domain.width, columns_);
     }
     std::uint64_t row_of(std::uint32_t index) const {
-        return cell_of(request_.keep[index].y / request_.domain.height, rows_);
+        return cell_of(way_to(index).y / request_.domain.height, rows_);
     }
     // The cell and its neighbours, each once; on a torus across the edges, too.
     std::set<std::uint64_t> around(std::uint64_t cell, std::uint64_t cells) const {
@@ -250,19 +254,13 @@ void check_kept_place(const Request& request, std::size_t index, const char* opt
     const auto refuse = [&](const std::string& allowed) {
         throw BadRequest(option, text_of(index, point), allowed);
     };
-    // On a torus the upper edges are the lower ones, where the same point has the coordinate 0.
-    const bool is_box = !request.domain.wraps();
-    const auto is_along = [is_box](double at, double length) {
-        return at >= 0 && (is_box ? at <= length : at < length);
-    };
-    if (!is_along(point.x, request.domain.width) || !is_along(point.y, request.domain.height)) {
-        const std::string end = is_box ? "]" : ")";
-        refuse("must lie in the domain, [0, " + shortest(request.domain.width) + end + " x [0, " +
-               shortest(request.domain.height) + end);
-    }
+    const Domain& domain = request.domain;
+    if (!domain.holds(point))
+        refuse("must lie in the domain, " + extent_of(domain, domain.wraps() ? ')' : ']'));
     const double border = request.border;
-    if (point.x < border || request.domain.width - point.x < border || point.y < border ||
-        request.domain.height - point.y < border)
+    const Point way = domain.from_corner(point);
+    if (way.x < border || domain.width - way.x < border || way.y < border ||
+        domain.height - way.y < border)
         refuse("must be at least the border, " + shortest(border) + ", from the domain's edges");
     if (request.mask != nullptr && !is_allowed(request, point))
         refuse(request.mask->drawn ? "must lie where --inside, --outside and --avoid allow it"

@@ -10,6 +10,7 @@
 #include "base/polling.h"
 #include "base/threads.h"
 #include "plan/checked_request.h"
+#include "plan/corner.h"
 #include "plan/sheets.h"
 #include "plan/sizes.h"
 
@@ -151,11 +152,10 @@ void check_importance(const Field& field) {
 
 void check_request(const Request& request) {
     check_enums(request);
-    const auto& [width, height, boundary] = request.domain;
-    const double shorter = std::min(width, height);
-    const double longer = std::max(width, height);
-    const std::string domain = shortest(width) + "x" + shortest(height);
-    if (!std::isfinite(width) || !std::isfinite(height) || !(shorter > 0))
+    const double shorter = request.domain.shorter_side();
+    const double longer = request.domain.longer_side();
+    const std::string domain = text_of(request.domain);
+    if (!std::isfinite(shorter) || !std::isfinite(longer) || !(shorter > 0))
         throw BadRequest("domain", domain, "both sides must be finite numbers greater than 0");
     if (longer > kLargestAspect * shorter)
         throw BadRequest(
@@ -163,6 +163,7 @@ void check_request(const Request& request) {
             "the longer side may be at most " + shortest(kLargestAspect) + " times the shorter");
     if (shorter < 1e-100 || longer > 1e100)
         throw BadRequest("domain", domain, "the sides must lie between 1e-100 and 1e100");
+    check_corner(request.domain);
     const std::uint32_t lines = lines_per_radius(request);
     if (lines < 1 || lines > kMostLinesPerRadius)
         throw BadRequest("lines-per-radius", std::to_string(lines),

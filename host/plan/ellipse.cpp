@@ -30,7 +30,7 @@ RoundedEllipse rounded(const Ellipse& radii, const GridOfEllipses& grid) {
     // A coefficient of the map is off by 2^-32 of the largest one, which is about 1 / b; so (u, v)
     // is off by 1.5 a / b times that on an offset of length a.
     const double off = a / b * 0x1p-30;
-    const double more = grid.more * std::max(grid.unit_x, grid.unit_y);
+    const double more = grid.more * std::max(grid.unit_x, grid.unit_y) + grid.lost;
     const Ellipse enlarged{a * (1 + off) + more, b * (1 + off) + more, radii.angle};
     QuadraticForm form = form_of(enlarged);
     form = {form.xx * grid.unit_x * grid.unit_x, form.xy * grid.unit_x * grid.unit_y,

@@ -35,13 +35,14 @@ struct RoundedEllipse {
 };
 
 // The radii are in the user's units, and a grid unit is unit_x by unit_y of these. They are
-// enlarged by `more` grid units. `most` is the diagonal of the domain in grid units: what lies
-// farther away need not be right.
+// enlarged by `more` grid units and by `lost`, in the user's units. `most` is the diagonal of the
+// domain in grid units: what lies farther away need not be right.
 struct GridOfEllipses {
     double unit_x;
     double unit_y;
     std::uint32_t more;
     double most;
+    double lost = 0;  // lost_at_corner() of plan/corner.h
 };
 RoundedEllipse rounded(const Ellipse& radii, const GridOfEllipses& grid);
 

@@ -10,6 +10,7 @@
 
 #include "base/number_text.h"
 #include "plan/checked_request.h"
+#include "plan/corner.h"
 #include "plan/kept.h"
 #include "plan/radius_field.h"
 #include "plan/sizes.h"
@@ -180,10 +181,13 @@ Plan make_plan(const CheckedRequest& checked) {
     plan.height =
         static_cast<std::uint32_t>(request.domain.height * (plan.width / request.domain.width));
 
-    // The radius is rounded up by at least 2^-10 units: more than doubles lose when converted back.
+    // The radius is rounded up by at least 2^-10 units, more than doubles lose when converted back,
+    // and by what is lost at a corner.
     const double unit =
         std::min(request.domain.width / plan.width, request.domain.height / plan.height);
-    plan.radius = static_cast<std::uint32_t>(radius / unit + 1.0 / 1024) + 1;
+    plan.radius =
+        static_cast<std::uint32_t>((radius + lost_at_corner(request.domain)) / unit + 1.0 / 1024) +
+        1;
     if (is_exact)
         plan.of_mode = ExactPlan{.grid = grid_of(plan.width, plan.height, plan.radius), .halo = {}};
     else
@@ -206,6 +210,7 @@ void finish_plan(Plan& plan, const Request& request, std::uint64_t limit, double
     const bool torus = request.domain.wraps();
     plan.period_x = torus ? plan.width : 0;
     plan.period_y = torus ? plan.height : 0;
+    plan.domain = request.domain;
     plan.unit_x = request.domain.width / plan.width;
     plan.unit_y = request.domain.height / plan.height;
     plan.radius_squared = std::uint64_t{plan.radius} * plan.radius;

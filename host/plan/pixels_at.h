@@ -21,10 +21,11 @@ void for_pixels_at(Point point, const Domain& domain, std::uint32_t columns, std
         const double last = pixels - 1.0;
         return static_cast<std::uint32_t>(std::clamp(std::floor(share * pixels), 0.0, last));
     };
-    const std::uint32_t left = pixel_of((point.x - near) / domain.width, columns);
-    const std::uint32_t right = pixel_of((point.x + near) / domain.width, columns);
-    const std::uint32_t low = pixel_of((point.y - near) / domain.height, rows);
-    const std::uint32_t high = pixel_of((point.y + near) / domain.height, rows);
+    const Point at = domain.from_corner(point);
+    const std::uint32_t left = pixel_of((at.x - near) / domain.width, columns);
+    const std::uint32_t right = pixel_of((at.x + near) / domain.width, columns);
+    const std::uint32_t low = pixel_of((at.y - near) / domain.height, rows);
+    const std::uint32_t high = pixel_of((at.y + near) / domain.height, rows);
     for (std::uint32_t up = low; up <= high; ++up)
         for (std::uint32_t column = left; column <= right; ++column)
             use(std::size_t{rows - 1 - up} * columns + column);

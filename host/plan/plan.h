@@ -96,6 +96,8 @@ struct Plan {
     std::uint64_t round_size = 0;  // 0: chosen by rounds/round_policy.h
     bool tells_orders = false;     // whether rounds report the orders of the admitted draws
 
+    // The user's domain. Only its corner is used.
+    Domain domain{};
     // A grid unit in the user's units, along x and y. They differ by less than 2^-20.
     double unit_x = 0;
     double unit_y = 0;
@@ -135,11 +137,12 @@ struct Plan {
     // Added to the distance between sample and line before the chord is computed. In exact, chords
     // cover the strip's whole width, so that free spans contain all free space.
     std::uint32_t chord_margin() const { return is_exact() ? strip_width / 2 : 0; }
-    // Converts to user units. Rounding keeps samples that are at least `radius` units apart at
-    // least user_radius apart. In cells a sample lies in the middle of its cell.
+    // Converts to user units, from the domain's corner on. Rounding keeps samples that are at least
+    // `radius` units apart at least user_radius apart. In cells a sample lies in the middle of its
+    // cell.
     Point to_user(Sample sample) const {
         const double middle = is_cells() ? 0.5 : 0;
-        return {(x_on_sheet(sample.x) + middle) * unit_x, (sample.y + middle) * unit_y};
+        return domain.at({(x_on_sheet(sample.x) + middle) * unit_x, (sample.y + middle) * unit_y});
     }
     // The class of a sample, and its x within the domain: see plan/sheets.h.
     std::uint32_t class_of(Sample sample) const {

@@ -8,6 +8,7 @@
 
 #include "base/number_text.h"
 #include "plan/checked_request.h"
+#include "plan/corner.h"
 #include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "plan/sizes.h"
@@ -115,10 +116,11 @@ Plan make_cells_plan(const CheckedRequest& checked, const FieldSums& sums, const
     plan.strip_width = 1;
     const double step =
         std::min(request.domain.width / lattice.lines, request.domain.height / lattice.height);
-    plan.of_mode = CellsPlan{
-        .radii = std::make_shared<const RadiusMap>(*request.field, scale, request.metric,
-                                                   plan.lines, plan.height, step, torus, poll),
-        .metric = request.metric};
+    plan.of_mode =
+        CellsPlan{.radii = std::make_shared<const RadiusMap>(
+                      *request.field, scale, request.metric, plan.lines, plan.height,
+                      RadiusMap::Step{step, lost_at_corner(request.domain)}, torus, poll),
+                  .metric = request.metric};
     plan.radius =
         static_cast<std::uint32_t>(std::min(lattice.least_radius / step, 2 * kMostLatticeSteps)) +
         1;

@@ -12,6 +12,7 @@
 
 #include "base/number_text.h"
 #include "plan/checked_request.h"
+#include "plan/corner.h"
 #include "plan/first_boxes.h"
 #include "plan/make_plan.h"
 #include "plan/plan.h"
@@ -99,33 +100,34 @@ double greatest_of(const Request& request) {
 }
 
 // The part of the domain inside the border. Distances from the edges are computed from the
-// coordinates that the user gets.
+// coordinates that the user gets, which are rounded when the corner is added.
 RadiusField::Shape shape_of(const Request& request, std::uint32_t width, std::uint32_t height,
                             std::uint32_t last_on_sheet) {
     const double border = request.border;
     const double unit_x = request.domain.width / width;
     const double unit_y = request.domain.height / height;
-    const auto low = [&](double unit) {
+    const auto low = [&](double unit, double corner) {
         auto at = static_cast<std::uint32_t>(border / unit);
-        while (at * unit < border) ++at;
+        while ((corner + at * unit) - corner < border) ++at;
         return at;
     };
-    const auto high = [&](double unit, std::uint32_t units, double length) {
+    const auto high = [&](double unit, std::uint32_t units, double length, double corner) {
         auto at = static_cast<std::uint32_t>(
             std::min<double>(units, std::ceil((length - border) / unit) + 2));
-        while (at > 0 && length - (at - 1) * unit < border) --at;
+        while (at > 0 && length - ((corner + (at - 1) * unit) - corner) < border) --at;
         return at;
     };
     return {width,
             height,
             unit_x,
             unit_y,
-            low(unit_x),
-            high(unit_x, width, request.domain.width),
-            low(unit_y),
-            high(unit_y, height, request.domain.height),
+            low(unit_x, request.domain.x0),
+            high(unit_x, width, request.domain.width, request.domain.x0),
+            low(unit_y, request.domain.y0),
+            high(unit_y, height, request.domain.height, request.domain.y0),
             !request.keep.empty(),
-            last_on_sheet};
+            last_on_sheet,
+            lost_at_corner(request.domain)};
 }
 
 // The radius of a kept point. It may lie on a pixel where no sample may, if that pixel's border is
@@ -154,8 +156,9 @@ std::vector<Sized> kept_on(const RadiusField& radius_field, const Sheets& sheets
     const std::uint32_t height = radius_field.shape().height;
     std::vector<Sized> kept;
     kept.reserve(request.keep.size());
-    for (const Point& point : request.keep) {
+    for (const Point& kept_point : request.keep) {
         ask_after(8);
+        const Point point = request.domain.from_corner(kept_point);
         const auto along = [](double at, double unit, std::uint32_t units) {
             return std::min(static_cast<std::uint32_t>(at / unit), units - 1);
         };

@@ -39,14 +39,15 @@ RadiusField::Radii RadiusField::merge_radii(Radii a, Radii b) {
 std::vector<RadiusField::Radii> RadiusField::radii_of(const Field* field, double scale,
                                                       const Poll& poll) {
     // A radius beyond the diagonal covers everything, so it is cut there. It is rounded up by at
-    // least 2^-10 units, more than doubles lose when converted back; and by two more units if there
-    // are kept samples, because their coordinates may be off by a unit along both axes.
+    // least 2^-10 units, more than doubles lose when converted back; by what is lost at a corner;
+    // and by two more units if there are kept samples, because their coordinates may be off by a
+    // unit along both axes.
     const double most = std::ceil(std::hypot(shape_.width, shape_.height));
     const std::uint32_t more = shape_.has_kept ? 3 : 1;
     const double unit = shape_.unit();
     const auto radius_of = [&](double importance) -> Radii {
         if (importance <= 0) return {0, HAS_ZEROS};
-        const double units = std::min(scale / std::sqrt(importance) / unit, most);
+        const double units = std::min((scale / std::sqrt(importance) + shape_.lost) / unit, most);
         const std::uint32_t radius = static_cast<std::uint32_t>(units + 1.0 / 1024) + more;
         return {radius, radius};
     };
@@ -54,7 +55,7 @@ std::vector<RadiusField::Radii> RadiusField::radii_of(const Field* field, double
     std::vector<Radii> radii(field->importance.size());
     const std::vector<Stretch>& stretches = field->stretches;
     ellipses_.resize(stretches.size());
-    const GridOfEllipses grid{shape_.unit_x, shape_.unit_y, more, most};
+    const GridOfEllipses grid{shape_.unit_x, shape_.unit_y, more, most, shape_.lost};
     const auto stretched = [&](double importance, const Stretch& stretch, std::size_t pixel) {
         if (importance <= 0) return Radii{0, HAS_ZEROS};
         const RoundedEllipse found =

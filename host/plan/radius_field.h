@@ -61,6 +61,7 @@ public:
         double unit() const { return unit_x < unit_y ? unit_x : unit_y; }
         // All bits that x may have on one sheet (plan/sheets.h). The field is the same on all.
         std::uint32_t last_on_sheet = ~std::uint32_t{0} >> 1;
+        double lost = 0;  // by which radii are longer: lost_at_corner() of plan/corner.h
     };
 
     // Without a field the radius is `scale` everywhere.

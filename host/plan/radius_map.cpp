@@ -32,7 +32,7 @@ std::uint32_t steps_of(std::uint32_t radius) {
 }  // namespace
 
 RadiusMap::RadiusMap(const Field& field, double scale, Metric metric, std::uint32_t lines,
-                     std::uint32_t height, double step, bool wraps, const Poll& poll)
+                     std::uint32_t height, Step step, bool wraps, const Poll& poll)
     : columns(field.columns),
       rows(field.rows),
       radii(field.importance.size()),
@@ -43,7 +43,8 @@ RadiusMap::RadiusMap(const Field& field, double scale, Metric metric, std::uint3
     const auto radius_of = [&](double importance) -> std::uint32_t {
         if (importance <= 0) return 0;
         // Rounded up by at least 2^-10 of a unit: more than doubles lose when converted back.
-        const double steps = std::min(scale / std::sqrt(importance) / step, most);
+        const double steps =
+            std::min((scale / std::sqrt(importance) + step.lost) / step.length, most);
         return static_cast<std::uint32_t>(steps * kUnitsPerStep + 1.0 / 1024) + 1;
     };
     // Columns in a tile: the values that are written stay in the cache from row to row.

@@ -11,10 +11,16 @@
 namespace lacuna {
 
 struct RadiusMap {
-    // The map of `field` at scale g, for a lattice of lines x height points whose step is given in
-    // the user's units. Radii are rounded up. Pixels without importance have radius 0.
+    // A step of the lattice in the user's units, and by how much radii are longer:
+    // lost_at_corner() of plan/corner.h.
+    struct Step {
+        double length;
+        double lost = 0;
+    };
+    // The map of `field` at scale g, for a lattice of lines x height points. Radii are rounded up.
+    // Pixels without importance have radius 0.
     RadiusMap(const Field& field, double scale, Metric metric, std::uint32_t lines,
-              std::uint32_t height, double step, bool wraps, const Poll& poll = nobody_asks);
+              std::uint32_t height, Step step, bool wraps, const Poll& poll = nobody_asks);
 
     std::uint32_t columns;  // pixels
     std::uint32_t rows;     // pixels

@@ -44,6 +44,10 @@ Description describe(const Request& request, const Result& result) {
     Describer all(request);
     all.tell("width", request.domain.width);
     all.tell("height", request.domain.height);
+    if (request.domain.has_corner()) {
+        all.tell("x0", request.domain.x0);
+        all.tell("y0", request.domain.y0);
+    }
     all.tell("boundary", std::string(request.domain.wraps() ? "torus" : "box"));
     all.tell("mode", std::string(name_of(request.mode)));
     if (has_field && !is_stratified) all.tell("metric", std::string(name_of(request.metric)));

@@ -52,9 +52,12 @@ constexpr Row kRows[] = {
     {{"count", "N", Kind::whole, kUniform},
      "Exactly N points, at a radius with room for a few more, so that the set is not maximal; this "
      "or --radius"},
-    {{"domain", "WxH", Kind::text, kUniform}, "Width and height of the domain (default 1x1)"},
+    {{"domain", "WxH", Kind::text, kUniform},
+     "Width and height of the domain (default 1x1); X0,Y0+WxH with its lower left corner, such as "
+     "448000,5411000+2000x1500"},
     {{"domain", "WxH", Kind::text, kVerify | kMoved | kAnalyze},
-     "Width and height of the domain (default: from a .json or a picture, or 1x1)"},
+     "Width and height of the domain, or X0,Y0+WxH with its lower left corner (default: from a "
+     ".json or a picture, or 1x1)"},
 
     // Pictures
     {{"field", "IMAGE", Kind::read_file, kPlaced},

@@ -167,13 +167,32 @@ std::vector<std::string> parts_of_list(const std::string& text) {
 }
 
 void read_domain(const std::string& option, const std::string& text, Domain& domain) {
-    const std::string_view view = text;
-    const std::size_t cross = view.find_first_of("xX");
-    if (cross == std::string_view::npos ||
-        parse_whole_text(view.substr(0, cross), domain.width) != std::errc{} ||
-        parse_whole_text(view.substr(cross + 1), domain.height) != std::errc{})
+    const auto refuse = [&] {
         throw BadRequest(option, shown(text),
-                         "must be WIDTHxHEIGHT, two numbers such as 1x1 or 2.5x1");
+                         "must be WIDTHxHEIGHT, two numbers such as 1x1 or 2.5x1, or "
+                         "X0,Y0+WIDTHxHEIGHT with the lower left corner, such as "
+                         "448000,5411000+2000x1500");
+    };
+    std::string_view view = text;
+    const auto take_until = [&](std::string_view ends, std::size_t from, double& value) {
+        const std::size_t end = view.find_first_of(ends, from);
+        if (end == std::string_view::npos ||
+            parse_whole_text(view.substr(0, end), value) != std::errc{})
+            refuse();
+        view.remove_prefix(end + 1);
+    };
+    domain.x0 = domain.y0 = 0;
+    if (view.find(',') != std::string_view::npos) {
+        take_until(",", 0, domain.x0);
+        // A plus sign behind an e belongs to the number.
+        std::size_t plus = view.find('+');
+        while (plus != 0 && plus != std::string_view::npos &&
+               (view[plus - 1] == 'e' || view[plus - 1] == 'E'))
+            plus = view.find('+', plus + 1);
+        take_until("+", std::min(plus, view.size()), domain.y0);
+    }
+    take_until("xX", 0, domain.width);
+    if (parse_whole_text(view, domain.height) != std::errc{}) refuse();
 }
 
 void read_background(const std::string& text, Tone& tone) {

@@ -60,7 +60,7 @@ void descend(Relaxed& relaxed, const GaussianField& field, const RelaxOptions& o
     const double unit_x = options.domain.width / field.domain.width;
     const double unit_y = options.domain.height / field.domain.height;
     for (std::size_t i = 0; i < points.size(); ++i)
-        points[i] = {spots[i].x * unit_x, spots[i].y * unit_y};
+        points[i] = options.domain.at({spots[i].x * unit_x, spots[i].y * unit_y});
 }
 
 }  // namespace lacuna::relaxing

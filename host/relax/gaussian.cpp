@@ -164,8 +164,9 @@ std::vector<Spot> spots_of(std::span<const Point> points, const GaussianField& f
     std::vector<Site> sites(points.size());
     for_each_polled(points.size(), poll, [&](std::size_t i) {
         check_in_domain(i, points[i], options);
-        sites[i] = {unit_of(points[i].x, options.domain.width, domain.width, wraps),
-                    unit_of(points[i].y, options.domain.height, domain.height, wraps), 0};
+        const Point point = options.domain.from_corner(points[i]);
+        sites[i] = {unit_of(point.x, options.domain.width, domain.width, wraps),
+                    unit_of(point.y, options.domain.height, domain.height, wraps), 0};
     });
     portable::RelaxLattice numbers{};
     numbers.columns = domain.width;

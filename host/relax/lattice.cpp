@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "plan/corner.h"
 #include "relax/take_apart.h"
 #include "verify/verify.h"
 
@@ -134,14 +135,13 @@ std::uint32_t unit_of(double coordinate, double side, std::uint32_t length, bool
 }
 
 void check_in_domain(std::size_t number, const Point& point, const RelaxOptions& options) {
-    // This condition is also false for NaN.
-    if (!(point.x >= 0 && point.x <= options.domain.width && point.y >= 0 &&
-          point.y <= options.domain.height))
+    Domain with_edges = options.domain;  // upper edges are allowed on a torus, too
+    with_edges.boundary = Boundary::box;
+    if (!with_edges.holds(point))
         throw BadRequest("points",
                          "point " + std::to_string(number) + " at (" + shortest(point.x) + ", " +
                              shortest(point.y) + ")",
-                         "must lie in the domain, [0, " + shortest(options.domain.width) +
-                             "] x [0, " + shortest(options.domain.height) + "]");
+                         "must lie in the domain, " + extent_of(options.domain, ']'));
 }
 
 void check_options(const RelaxOptions& options) {
@@ -181,7 +181,7 @@ Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions&
     const double wanted = points_of_sample(field, pixels);
     const Cut cut = possible_cut(importance, aspect, wanted * static_cast<double>(points) / pixels);
 
-    Lattice lattice{numbers_of(importance, cut, options), 0, {}, 0, 0};
+    Lattice lattice{numbers_of(importance, cut, options), 0, {}, options.domain, 0, 0};
     lattice.unit_x = options.domain.width / (lattice.numbers.columns * lattice.numbers.step_x);
     lattice.unit_y = options.domain.height / (lattice.numbers.rows * lattice.numbers.step_y);
     return with_field(std::move(lattice), points, importance, poll);
@@ -208,8 +208,8 @@ std::vector<Site> sites_of(std::span<const Point> points, const Lattice& lattice
     const bool wraps = options.domain.wraps();
     std::vector<Site> sites(points.size());
     for_each_polled(points.size(), poll, [&](std::size_t i) {
-        const Point& point = points[i];
-        check_in_domain(i, point, options);
+        check_in_domain(i, points[i], options);
+        const Point point = options.domain.from_corner(points[i]);
         sites[i] = {unit_of(point.x, options.domain.width, numbers.columns * numbers.step_x, wraps),
                     unit_of(point.y, options.domain.height, numbers.rows * numbers.step_y, wraps),
                     portable::even_weight(numbers.farthest)};

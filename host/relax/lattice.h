@@ -51,6 +51,7 @@ struct Lattice {
     std::uint64_t points = 0;         // number of lattice points with importance
     std::vector<std::uint16_t> mass;  // of each pixel's points, row by row from the lowest y
 
+    Domain domain{};  // the user's; only its corner is used
     // The length of a unit, in the user's units.
     double unit_x;
     double unit_y;
@@ -63,11 +64,11 @@ struct Lattice {
     std::uint32_t mass_under(const Site& site) const {
         return mass_at(site.x / numbers.step_x, site.y / numbers.step_y);
     }
-    Point to_user(const Site& site) const { return {site.x * unit_x, site.y * unit_y}; }
+    Point to_user(const Site& site) const { return domain.at({site.x * unit_x, site.y * unit_y}); }
 };
 
-// Converts a user's coordinate on an axis of `length` units. An upper edge that wraps becomes the
-// lower one.
+// Converts a user's coordinate, from the domain's corner on, on an axis of `length` units. An upper
+// edge that wraps becomes the lower one.
 std::uint32_t unit_of(double coordinate, double side, std::uint32_t length, bool wraps);
 // Throws BadRequest, which names the point by its number.
 void check_in_domain(std::size_t number, const Point& point, const RelaxOptions& options);

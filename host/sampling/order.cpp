@@ -12,6 +12,7 @@
 #include "base/polling.h"
 #include "base/power.h"
 #include "plan/checked_request.h"
+#include "plan/corner.h"
 #include "plan/kept.h"
 #include "plan/radius_field.h"
 #include "plan/sizes.h"
@@ -21,7 +22,7 @@
 namespace lacuna {
 namespace {
 
-// Points by cell, about one a cell.
+// Points by cell, about one a cell. Points are given as ways from the domain's corner.
 class OrderedCells {
 public:
     OrderedCells(std::span<const Point> points, const OrderOptions& options)
@@ -188,12 +189,13 @@ private:
 std::vector<std::uint32_t> progressive_order(std::span<const Point> points, const Field* field,
                                              const OrderOptions& options) {
     const Request request = checked_request(points, field, options);
+    const std::vector<Point> ways = from_corner(points, options.domain);
     if (field != nullptr) check_disks(*field, "orders");
     if (points.empty()) return {};
     const std::vector<double> radii = radii_of_kept(request);
     const double smallest = kSmallestRadius * options.domain.longer_side() /
                             *std::max_element(radii.begin(), radii.end());
-    Order order(points, radii, options);
+    Order order(ways, radii, options);
     std::vector<std::uint32_t> waiting = shuffled(points.size(), options.seed);
     const double first = radius_field_scale_for_count(request, kFirstPoints, ask);
     double size = first;

@@ -112,8 +112,15 @@ private:
         const auto scaled = [](std::int64_t cell, std::uint32_t in_cell, std::uint32_t cells) {
             return (static_cast<double>(cell) + (in_cell + 0.5) * 0x1p-16) / cells;
         };
-        points_.push_back({request_.domain.width * scaled(cell_.x, at.x, cells_.columns()),
-                           request_.domain.height * scaled(cell_.y, at.y, cells_.rows())});
+        const Domain& domain = request_.domain;
+        // These positions are so fine that a sum with the corner may be rounded to the upper edge.
+        const auto along = [](double corner, double side, double share) {
+            const double end = corner + side;
+            const double sum = corner + side * share;
+            return sum < end ? sum : std::nextafter(end, corner);
+        };
+        points_.push_back({along(domain.x0, domain.width, scaled(cell_.x, at.x, cells_.columns())),
+                           along(domain.y0, domain.height, scaled(cell_.y, at.y, cells_.rows()))});
     }
     // The rank of the next point: at random in the middle half of its interval of the cdf. In the
     // middle itself the points of a uniform domain would be a square lattice, and anywhere in the

@@ -132,14 +132,15 @@ private:
     std::vector<Located> buffer_;
 };
 
-// The samples within reach of the domain's edges, and their images beyond the opposite edges. If
-// the closest pair of a torus lies across an edge, it is a pair of these.
+// The samples within reach of the domain's edges, and their images beyond the opposite edges, from
+// the domain's corner on. If the closest pair of a torus lies across an edge, it is a pair of
+// these.
 template <typename Sample>
 std::vector<Located> near_edges(const Domain& domain, std::span<const Sample> samples,
                                 const ClosestPair<Sample>& search) {
     std::vector<Located> located;
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        const auto [x, y] = samples[i].at;
+        const auto [x, y] = domain.from_corner(samples[i].at);
         const double radius = samples[i].radius;
         const double reach = search.reach_of(radius) + domain.rounding();
         const bool left = x <= reach;

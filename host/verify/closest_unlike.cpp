@@ -116,7 +116,8 @@ Pair closest_unlike(const Domain& domain, std::span<const Disk> ones, std::span<
         for (int across = -images; across <= images; ++across)
             for (int up = -images; up <= images; ++up)
                 tree.search({one.at.x + across * domain.width, one.at.y + up * domain.height},
-                            one.radius, domain.torus ? domain.rounding() : 0, pair, measure);
+                            one.radius, domain.torus ? domain.rounding_of_given() : 0, pair,
+                            measure);
     }
     return is_found ? pair : Pair{};
 }

@@ -24,6 +24,8 @@ struct Domain {
     double width;
     double height;
     bool torus;
+    double x0 = 0;  // the lower left corner
+    double y0 = 0;
 
     double longer_side() const { return std::max(width, height); }
 
@@ -31,11 +33,24 @@ struct Domain {
     // are at most twice the longer side. It is over a hundred times the rounding of one sum.
     double rounding() const { return longer_side() * 0x1p-44; }
 
+    // The same for the coordinates as they are given, whose size grows with the corner's distance
+    // from 0.
+    double rounding_of_given() const {
+        return rounding() + (std::abs(x0) + std::abs(y0)) * 0x1p-50;
+    }
+
     // The far edges belong to a box, because programs that write float32 round up to them. On a
     // torus the far edges are the near ones, and points should lie on those.
     bool contains(Point p) const {
-        const bool is_inside = p.x >= 0 && p.x <= width && p.y >= 0 && p.y <= height;
-        return is_inside && (!torus || (p.x < width && p.y < height));
+        const double right = x0 + width, top = y0 + height;
+        const bool is_inside = p.x >= x0 && p.x <= right && p.y >= y0 && p.y <= top;
+        return is_inside && (!torus || (p.x < right && p.y < top));
+    }
+
+    // A point of the domain as gaps, pixels and polygons are searched: the corner is its (0, 0).
+    // Distances of points are computed from the points as given instead.
+    Point from_corner(Point p) const {
+        return {std::min(p.x - x0, width), std::min(p.y - y0, height)};
     }
 
     // The distance of two coordinates along a side, around a torus' edges.
@@ -73,7 +88,7 @@ struct Domain {
 };
 
 inline Domain domain_of(const lacuna::Domain& domain) {
-    return {domain.width, domain.height, domain.wraps()};
+    return {domain.width, domain.height, domain.wraps(), domain.x0, domain.y0};
 }
 
 }  // namespace lacuna::verify

@@ -12,7 +12,8 @@ EllipseSamples::EllipseSamples(std::span<const Point> points, const RadiusField&
                                Proof& proof) {
     std::vector<std::size_t> ends;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto found = radius_field.shapes_of_sample(points[i]);
+        const Point from_corner = radius_field.domain().from_corner(points[i]);
+        const auto found = radius_field.shapes_of_sample(from_corner);
         if (const auto* closed = std::get_if<Proof::Closed>(&found)) {
             proof.forbidden = i;
             proof.forbidden_by = *closed;
@@ -20,7 +21,7 @@ EllipseSamples::EllipseSamples(std::span<const Point> points, const RadiusField&
         }
         for (const EllipseShape* shape : std::get<0>(found)) {
             shapes_.push_back(shape);
-            each_.push_back({points[i], shape});
+            each_.push_back({from_corner, shape});
         }
         ends.push_back(shapes_.size());
     }

@@ -37,7 +37,8 @@ std::optional<std::size_t> first_outside(std::span<const Point> points, const Do
     return static_cast<std::size_t>(outside - points.begin());
 }
 
-// The samples with the smallest and with the largest radius that each may have.
+// The samples with the smallest radius that each may have, where they are, for distances; and with
+// the largest one, from the domain's corner on, for gaps.
 struct Samples {
     std::vector<Disk> least;
     std::vector<Disk> most;
@@ -49,7 +50,8 @@ Samples samples_of(std::span<const Point> points, const RadiusField& radius_fiel
     samples.least.reserve(points.size());
     samples.most.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto found = radius_field.radii_of_sample(points[i]);
+        const Point from_corner = radius_field.domain().from_corner(points[i]);
+        const auto found = radius_field.radii_of_sample(from_corner);
         if (const auto* closed = std::get_if<Proof::Closed>(&found)) {
             proof.forbidden = i;
             proof.forbidden_by = *closed;
@@ -57,10 +59,26 @@ Samples samples_of(std::span<const Point> points, const RadiusField& radius_fiel
         }
         const SampleRadii radii = std::get<SampleRadii>(found);
         samples.least.push_back({points[i], radii.least});
-        samples.most.push_back({points[i], radii.most});
+        samples.most.push_back({from_corner, radii.most});
     }
     return samples;
 }
+
+// Points from the domain's corner on.
+class Ways {
+public:
+    Ways(std::span<const Point> points, const Domain& domain) : ways_(points) {
+        if (domain.x0 == 0 && domain.y0 == 0) return;
+        moved_.reserve(points.size());
+        for (const Point& point : points) moved_.push_back(domain.from_corner(point));
+        ways_ = moved_;
+    }
+    std::span<const Point> all() const { return ways_; }
+
+private:
+    std::vector<Point> moved_;
+    std::span<const Point> ways_;
+};
 
 void tell_of(const Pair& pair, double limit, Proof& proof) {
     proof.kept = pair.distance >= limit;
@@ -71,9 +89,9 @@ void tell_of(const Pair& pair, double limit, Proof& proof) {
 }
 
 // `most_over`: how far over the gap's limit a covered spot may be.
-void tell_of(const Gap& gap, double most_over, double limit, Proof& proof) {
+void tell_of(const Gap& gap, double most_over, double limit, const Domain& domain, Proof& proof) {
     proof.covered = gap.over <= most_over;
-    proof.largest_gap = gap.at;
+    proof.largest_gap = {domain.x0 + gap.at.x, domain.y0 + gap.at.y};
     proof.largest_gap_distance = gap.distance;
     proof.largest_gap_limit = limit;
 }
@@ -92,8 +110,8 @@ void prove_uniform(std::span<const Point> points, const Claim& claim, const Doma
     ask(
         claim, [&] { tell_of(closest_pair(domain, points, patience), claim.radius, proof); },
         [&] {
-            tell_of(largest_gap(domain, points, reach, patience), reach + domain.rounding(),
-                    claim.radius, proof);
+            tell_of(largest_gap(domain, Ways(points, domain).all(), reach, patience),
+                    reach + domain.rounding(), claim.radius, domain, proof);
         });
 }
 
@@ -117,7 +135,7 @@ void prove_on_field(std::span<const Point> points, const Claim& claim,
                 has_classes
                     ? largest_gap_of_classes(radius_field, claim, samples.most, tolerance, patience)
                     : GapOfClass{largest_gap(radius_field, samples.most, tolerance, patience), 0};
-            tell_of(gap, tolerance + domain.rounding(), gap.limit, proof);
+            tell_of(gap, tolerance + domain.rounding(), gap.limit, domain, proof);
             proof.largest_gap_class = of_class;
         });
 }
@@ -137,9 +155,31 @@ void prove_on_ellipses(std::span<const Point> points, const Claim& claim,
         },
         [&] {
             const Gap gap = samples.largest_gap(radius_field, tolerance, patience);
-            tell_of(gap, tolerance + domain.rounding(), gap.limit, proof);
+            tell_of(gap, tolerance + domain.rounding(), gap.limit, domain, proof);
         });
 }
+
+// Polygons from the domain's corner on.
+class MovedPolygons {
+public:
+    MovedPolygons(std::span<const PolygonSet> sets, const Domain& domain)
+        : sets_(sets.begin(), sets.end()) {
+        if (domain.x0 == 0 && domain.y0 == 0) return;
+        rings_.reserve(sets_.size());
+        for (PolygonSet& set : sets_) {
+            std::vector<PolygonRing>& rings =
+                rings_.emplace_back(set.rings.begin(), set.rings.end());
+            for (PolygonRing& ring : rings)
+                for (Point& point : ring) point = {point.x - domain.x0, point.y - domain.y0};
+            set.rings = rings;
+        }
+    }
+    std::span<const PolygonSet> all() const { return sets_; }
+
+private:
+    std::vector<std::vector<PolygonRing>> rings_;
+    std::vector<PolygonSet> sets_;
+};
 
 // The radius, or with a field the scale; with classes the least distance, unless the claim has one.
 double size_of(const Claim& claim) {
@@ -162,11 +202,12 @@ Proof prove(std::span<const Point> points, const Claim& claim,
     if (proof.moved) return proof;
     const verify::Domain domain = domain_of(claim.domain);
     const Field one_pixel{1, 1, {1}};
+    const MovedPolygons polygons(claim.polygons, domain);
     const verify::RadiusField radius_field(
         domain, {.field = claim.field != nullptr ? claim.field : &one_pixel,
                  .scale = size_of(claim),
                  .mask = claim.mask,
-                 .polygons = claim.polygons,
+                 .polygons = polygons.all(),
                  .edge_tolerance = claim.edge_tolerance,
                  .border = claim.border});
     check_least_radius(claim, radius_field.least_radius());

@@ -14,7 +14,8 @@ namespace {
 constexpr double kSmallestSide = 1e-100;
 constexpr double kLargestSide = 1e100;
 constexpr double kLargestAspect = 1000;
-constexpr double kLargestRatio = 1000;  // of an ellipse's radii
+constexpr double kFarthestCorner = 0x1p20;  // from 0, in longer sides
+constexpr double kLargestRatio = 1000;      // of an ellipse's radii
 
 void check_positive(const char* option, double value) {
     if (!std::isfinite(value) || value <= 0)
@@ -84,7 +85,8 @@ std::string text(double value) {
 }
 
 void check_domain(const lacuna::Domain& domain) {
-    const std::string sides = text(domain.width) + "x" + text(domain.height);
+    std::string sides = text(domain.width) + "x" + text(domain.height);
+    if (domain.has_corner()) sides = text(domain.x0) + "," + text(domain.y0) + "+" + sides;
     const double shorter = domain.shorter_side();
     const double longer = domain.longer_side();
     if (!std::isfinite(domain.width) || !std::isfinite(domain.height) || shorter <= 0)
@@ -93,6 +95,13 @@ void check_domain(const lacuna::Domain& domain) {
         throw BadRequest("domain", sides, "the sides must lie between 1e-100 and 1e100");
     if (longer > kLargestAspect * shorter)
         throw BadRequest("domain", sides, "the longer side may be at most 1000 times the shorter");
+    // This condition is also false for NaN.
+    if (!(std::max(std::abs(domain.x0), std::abs(domain.y0)) <= kFarthestCorner * longer &&
+          std::isfinite(domain.x0 + domain.y0)))
+        throw BadRequest("domain", sides,
+                         "the corner may be at most " + text(kFarthestCorner * longer) +
+                             " from 0 along either axis, 2^20 times the longer side, or doubles "
+                             "run out of digits");
 }
 
 namespace {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <lacuna/analysis.h>
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -31,6 +32,24 @@ TEST(Analyze, OfMaximalSetsFindsWhatTheyAreKnownFor) {
     EXPECT_NEAR(statistics.effective_nyquist.value(), 0.67, 0.05);
     EXPECT_FALSE(statistics.pair_correlation.empty());
     EXPECT_NEAR(statistics.psi_6.value(), 0.43, 0.04);
+}
+
+TEST(Analyze, DoesNotDependOnTheCornerOfTheDomain) {
+    for (const Boundary boundary : {Boundary::torus, Boundary::box}) {
+        std::vector<std::vector<Point>> sets{maximal_set(3)};
+        for (Point& point : sets[0])  // so that moving it loses no digit
+            point = {std::round(point.x * 65536) / 65536, std::round(point.y * 65536) / 65536};
+        const Statistics expected = analyze(sets, {1, 1, boundary});
+        for (Point& point : sets[0]) point = {point.x - 448000, point.y + 541100};
+        EXPECT_THROW(analyze(sets, {1, 1, boundary}), BadRequest);
+        const Statistics moved = analyze(sets, {1, 1, boundary, -448000, 541100});
+        EXPECT_EQ(moved.least_distance, expected.least_distance);
+        EXPECT_EQ(moved.mean_distance, expected.mean_distance);
+        EXPECT_EQ(moved.pair_correlation, expected.pair_correlation);
+        EXPECT_EQ(moved.psi_6, expected.psi_6);
+        EXPECT_EQ(moved.effective_nyquist, expected.effective_nyquist);
+        EXPECT_EQ(moved.rings.back().power, expected.rings.back().power);
+    }
 }
 
 TEST(Analyze, RefusesSetsThatMakeNoSenseAndCanBeEnded) {

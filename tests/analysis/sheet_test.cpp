@@ -49,6 +49,12 @@ TEST(SheetAsSvg, ShowsPointsAtTheirPlacesWithYUpwards) {
     // The panel of points is 252 points wide and high, its upper left corner at (52, 66).
     const std::string svg = sheet_of({{{0.25, 0.125}}}, Medium::svg);
     EXPECT_TRUE(contains(svg, "M115.000 286.500h0")) << svg;
+    // From the corner on, which the axes name.
+    const Domain away{.width = 1, .height = 1, .torus = true, .x0 = 448000, .y0 = -3.5};
+    const std::string moved = sheet_of({{{448000.25, -3.375}}}, Medium::svg, away);
+    EXPECT_TRUE(contains(moved, "M115.000 286.500h0")) << moved;
+    EXPECT_TRUE(contains(moved, ">x \u2212 448000<"));
+    EXPECT_TRUE(contains(moved, ">y + 3.5<"));
 }
 
 // Squares of 12 x 12 have no power below the first peak.

@@ -43,6 +43,12 @@ TEST(Refused, OfSampleIsABadDomain) {
     const Refusals refusals{
         {"--domain 0x1", 2, "--domain 0x1:", "greater than 0"},
         {"--domain 1", 2, "--domain 1:", "WIDTHxHEIGHT"},
+        {"--domain 1,2+3", 2, "--domain 1,2+3:", "X0,Y0+WIDTHxHEIGHT"},
+        {"--domain 1,2,3+4x5", 2, "--domain 1,2,3+4x5:", "X0,Y0+WIDTHxHEIGHT"},
+        {"--domain nan,0+1x1", 2, "--domain nan,0+1x1:", "finite numbers"},
+        {"--domain 0,-inf+1x1", 2, "--domain 0,-inf+1x1:", "finite numbers"},
+        {"--domain 1e9,0+1x1", 2, "--domain 1e+09,0+1x1:", "at most 1048576 from 0"},
+        {"--domain 1,2+-3x1", 2, "--domain 1,2+-3x1:", "greater than 0"},
     };
     expect_refusals(Files{}, "sample -o a.txt --radius 0.1", refusals);
 }

@@ -90,7 +90,7 @@ TEST(Refused, OfAnalyzeAreFilesThatCannotBeReadOrUsed) {
         {"klein.json", 3, "\"boundary\" is \"klein\"", "torus"},
         {"1x1.json 2x1.json", 3, "2x1.json: its domain is 2x1, but ", "has 1x1"},
         {"torus.json box.json", 3, "box.json: its boundary differs from", "--torus"},
-        {"512.json points.csv", 3, "points.csv: gives no domain, but ", "512 x 512: give --domain"},
+        {"512.json points.csv", 3, "points.csv: gives no domain, but ", "512x512: give --domain"},
         {"- -", 3, "standard input", "only once"},
         {"points.csv -o no/b.json", 3, "no folder"},
     };

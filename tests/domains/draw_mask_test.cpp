@@ -298,6 +298,18 @@ TEST(TheDomainAroundPlaces, ReachesAsFarAsTheyDo) {
     EXPECT_EQ(around({0.3, 0.9}), Domain{});
     EXPECT_EQ(around({3, 0.9}), (Domain{3, 0.9}));
     EXPECT_EQ(domain_around({}), Domain{});
+    // Far from (0, 0), or beyond it, the domain is the box.
+    EXPECT_EQ(around({-0.3, 0.9}), (Domain{.width = 0.8, .height = 0.8, .x0 = -0.3, .y0 = 0.1}));
+    const std::vector<PolygonRing> map{{{448251, 5411932}, {448900, 5411950}, {448800, 5412400}}};
+    const PolygonSet far{.rings = map};
+    EXPECT_EQ(domain_around(std::span(&far, 1)),
+              (Domain{.width = 649, .height = 468, .x0 = 448251, .y0 = 5411932}));
+    const std::vector<PolygonRing> flat{{{448251, 5411932}, {448900, 5411932}}};
+    const PolygonSet line{.rings = flat};
+    EXPECT_EQ(
+        tests::refusal_of([&] { domain_around(std::span(&line, 1)); }),
+        "domain missing: the places given lie in [448251, 448900] x [5411932, 5411932], which "
+        "has no area: give a domain that has one");
     EXPECT_EQ(tests::refusal_of([&] {
                   around({0.3, std::nan("")});
               }).substr(0, 12),

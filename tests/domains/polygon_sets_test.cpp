@@ -5,6 +5,7 @@
 #include <lacuna/verify.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -73,8 +74,8 @@ TEST(SetsOfPolygons, ThatLeaveNothingAreRefused) {
     EXPECT_TRUE(refusal({{all}, {broken, true}}).starts_with("outside ring 0"));
 }
 
-// Triangles and rectangles, turned, that overlap at random.
-std::vector<PolygonRing> random_rings(std::mt19937_64& random) {
+// Triangles and rectangles, turned, that overlap at random, on a domain of 1 x 1.
+std::vector<PolygonRing> random_rings(std::mt19937_64& random, const Domain& domain) {
     std::uniform_real_distribution<double> unit;
     const std::size_t corners = 3 + random() % 2;
     const double x = unit(random), y = unit(random), size = 0.15 + 0.4 * unit(random);
@@ -83,13 +84,14 @@ std::vector<PolygonRing> random_rings(std::mt19937_64& random) {
     for (std::size_t i = 0; i < corners; ++i) {
         const double angle =
             turn + 6.2831853 * static_cast<double>(i) / static_cast<double>(corners);
-        ring.push_back({x + size * std::cos(angle), y + size * std::sin(angle)});
+        ring.push_back(domain.at({x + size * std::cos(angle), y + size * std::sin(angle)}));
     }
     return {ring};
 }
 
 // Whether all pixels of the mask around a point are allowed.
-bool is_deep_inside(const Mask& mask, Point point) {
+bool is_deep_inside(const Mask& mask, const Domain& domain, Point place) {
+    const Point point = domain.from_corner(place);
     const auto column = static_cast<std::int64_t>(point.x * mask.columns);
     const auto row = static_cast<std::int64_t>((1 - point.y) * mask.rows);
     for (std::int64_t dy = -2; dy <= 2; ++dy)
@@ -110,15 +112,18 @@ TEST(SetsOfPolygons, AreFilledAndProvenFull) {
         std::vector<std::vector<PolygonRing>> rings;
         std::vector<PolygonSet> sets;
         const std::size_t allowed = random() % 4, forbidden = allowed == 0 ? 1 : random() % 3;
-        for (std::size_t k = 0; k < allowed + forbidden; ++k) rings.push_back(random_rings(random));
-        for (std::size_t k = 0; k < rings.size(); ++k) sets.push_back({rings[k], k >= allowed});
         Request request;
+        request.domain.x0 = std::array{0.0, 448000.0, -1 / 3.0, -1048576.0}[random() % 4];
+        request.domain.y0 = std::array{0.0, -541100.1, 1e-9, 1048576.0}[random() % 4];
+        for (std::size_t k = 0; k < allowed + forbidden; ++k)
+            rings.push_back(random_rings(random, request.domain));
+        for (std::size_t k = 0; k < rings.size(); ++k) sets.push_back({rings[k], k >= allowed});
         request.radius = 0.06;
         request.seed = static_cast<std::uint64_t>(i);
         const double edge = *request.radius / 16;
         Mask mask;
         try {
-            mask = draw_mask(sets, {1, 1}, edge);
+            mask = draw_mask(sets, request.domain, edge);
         } catch (const BadRequest&) {
             continue;
         }
@@ -126,13 +131,15 @@ TEST(SetsOfPolygons, AreFilledAndProvenFull) {
         std::vector<Point> points = sample(request).points;
         Claim claim;
         claim.radius = *request.radius;
+        claim.domain = request.domain;
         claim.polygons = sets;
         claim.edge_tolerance = edge;
         const Proof proof = prove(points, claim);
         ASSERT_TRUE(proof.maximal) << "case " << i << ", " << points.size() << " points, gap at "
                                    << proof.largest_gap.x << " " << proof.largest_gap.y;
-        const auto deep = std::find_if(points.begin(), points.end(),
-                                       [&](Point point) { return is_deep_inside(mask, point); });
+        const auto deep = std::find_if(points.begin(), points.end(), [&](Point point) {
+            return is_deep_inside(mask, request.domain, point);
+        });
         if (deep == points.end()) continue;
         points.erase(deep);
         EXPECT_FALSE(prove(points, claim).covered) << "case " << i;

@@ -32,6 +32,10 @@ TEST(EncodePoints, TakesFormatsByNameAndTheDomain) {
     EXPECT_EQ(encode_points(kPoints, "csv").substr(0, 4), "x,y\n");
     EXPECT_EQ(encode_points(kPoints, "json", {{2, 1}, 0.5}).find("{\"width\":2.0,\"height\":1.0"),
               0U);
+    const Domain away{.width = 2, .height = 1, .x0 = 448000, .y0 = -3.5};
+    EXPECT_EQ(encode_points(kPoints, "json", {away, 0.5})
+                  .find("{\"width\":2.0,\"height\":1.0,\"x0\":448000.0,\"y0\":-3.5,"),
+              0U);
     EXPECT_NE(encode_points(kPoints, "svg", {{2, 1}, 0.5}).find("height=\"256pt\""),
               std::string::npos);
     EXPECT_THROW(encode_points(kPoints, "dat"), BadRequest);  // only read

@@ -57,8 +57,9 @@ TEST_F(ReadSets, OfThisProgramsFormatsAreWhatWasWritten) {
 
 TEST_F(ReadSets, OfAJsonFileComeWithItsDomainAndRadius) {
     const auto file = read("a.json", encode({kThree, {2.5, 1}, 0.125}, format_of("a.json")));
-    EXPECT_EQ(file.width, 2.5);
-    EXPECT_EQ(file.height, 1);
+    EXPECT_EQ(file.domain, (Domain{2.5, 1}));
+    const Domain away{.width = 2.5, .height = 1, .x0 = -1e5 / 3, .y0 = 0.1};
+    EXPECT_EQ(read("a.json", encode({kThree, away, 0.125}, format_of("a.json"))).domain, away);
     EXPECT_EQ(file.radius, 0.125);
 
     // 0 stands for an unknown radius. Keys of other JSON objects are ignored.
@@ -66,8 +67,8 @@ TEST_F(ReadSets, OfAJsonFileComeWithItsDomainAndRadius) {
         read("a.json", R"({"radius": 0, "of": {"width": 3, "radius": 4}, "points": [[0.5, 0.5]]})");
     EXPECT_EQ(unknown.sets[0], (Points{{0.5, 0.5}}));
     EXPECT_FALSE(unknown.radius);
-    EXPECT_FALSE(unknown.width);
-    EXPECT_FALSE(read("a.json", "[[0.5, 0.5]]").width);
+    EXPECT_FALSE(unknown.domain);
+    EXPECT_FALSE(read("a.json", "[[0.5, 0.5]]").domain);
 }
 
 TEST_F(ReadSets, OfAJsonFileWithHalfADomainOrANegativeRadiusAreRefused) {

@@ -1,7 +1,8 @@
 // hostile: random requests with every pair of capabilities (hostile/capabilities.h). All backends
 // and numbers of threads must answer each alike, to the byte. Each set is proven by
 // lacuna/verify.h and by a judge that shares no code with it (hostile/judge.h), which both must
-// refute it without one point and with one that is too close.
+// refute it without one point and with one that is too close. Each request is made once more on a
+// domain that lies elsewhere, and its set is proven there.
 //
 //     hostile [--seconds S] [--seed N] [--skip K]
 //
@@ -25,6 +26,7 @@
 
 #include "hostile/answers.h"
 #include "hostile/capabilities.h"
+#include "hostile/judge_elsewhere.h"
 #include "hostile/judge_set.h"
 #include "hostile/options.h"
 #include "hostile/random_request.h"
@@ -78,6 +80,7 @@ private:
             demand(answer.refusal.empty(), "a request is refused: " + answer.refusal);
             std::mt19937_64 random(number);
             for (const Result& set : answer.sets) tests::judge_set(*made, set, random, counts_);
+            tests::judge_elsewhere(*made, names_, random, counts_);
             if (made->is_moved())
                 tests::judge_moved(*made, answer.sets.front().points, answer.moved);
             covered_.cover(tests::levels_of(*made));

@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 include, scratch, *compilers = sys.argv[1:]
-MEMBER = re.compile(r"    [\w:<>, *]+[ >](\w+)(?: = [^()]+(?:\(\))?|\{[^()]*\})?;")
+MEMBER = re.compile(r"    (?! )[\w:<>, *]+[ >](\w+)(?: = [^()]+(?:\(\))?|\{[^()]*\})?;")
 
 lines = ["#include <lacuna/%s>" % path.name for path in sorted(pathlib.Path(include, "lacuna").glob("*.h"))]
 structs = 0

@@ -29,6 +29,13 @@ Request in_mode(Mode mode, double radius) {
     return request;
 }
 
+// Moves the corner of the domain to where one may be, or leaves it at (0, 0).
+void move_corner(Domain& domain) {
+    const double scale = domain.longer_side() * *rc::gen::element(0.0, 1.0, 1e-3, 1e-6 / 3);
+    domain.x0 = *rc::gen::inRange(-1048576, 1048577) * scale;
+    domain.y0 = *rc::gen::inRange(-1048576, 1048577) * scale;
+}
+
 TEST(Plan, HasTheNumberOfLinesOfThePaper) {
     EXPECT_EQ(make_plan(in_mode(Mode::lines, 0.01)).lines, 3000u);
     EXPECT_EQ(make_plan(in_mode(Mode::lines, 0.001)).lines, 30000u);
@@ -60,6 +67,7 @@ RC_GTEST_PROP(Plan, KeepsEveryPromiseOfItsFields, ()) {
     request.limit = 1;
     request.place.memory_limit_bytes = std::uint64_t{1} << 50;
     if (*request.radius > shorter) return;
+    move_corner(request.domain);
 
     const Plan plan = make_plan(request);
     RC_ASSERT(plan.lines * std::uint64_t{plan.strip_width} == plan.width);
@@ -75,7 +83,10 @@ RC_GTEST_PROP(Plan, KeepsEveryPromiseOfItsFields, ()) {
     // A radius has m strips, or a few thousandths more.
     RC_ASSERT(plan.strip_width * std::uint64_t{*request.paper2011.lines_per_radius} <= plan.radius);
     const Point last = plan.to_user({plan.width - 1, plan.height - 1});
-    RC_ASSERT(last.x < request.domain.width && last.y < request.domain.height);
+    RC_ASSERT(last.x < request.domain.x0 + request.domain.width);
+    RC_ASSERT(last.y < request.domain.y0 + request.domain.height);
+    const Point first = plan.to_user({0, 0});
+    RC_ASSERT(first.x == request.domain.x0 && first.y == request.domain.y0);
 }
 
 // A user's check in double never finds less than the radius, for samples exactly plan.radius apart.
@@ -89,6 +100,9 @@ RC_GTEST_PROP(Plan, RoundsDistancesInTheUsersFavour, ()) {
     // Less is refused.
     if (*request.radius < std::ldexp(request.domain.longer_side(), -20)) return;
     request.place.memory_limit_bytes = std::uint64_t{1} << 50;
+    move_corner(request.domain);
+    const bool has_field = request.mode == Mode::exact && *rc::gen::inRange(0, 4) == 0;
+    if (has_field) request.border = request.domain.shorter_side() * 1e-6;
     const Plan plan = make_plan(request);
     const auto x = *rc::gen::inRange<std::uint32_t>(0, plan.width - plan.radius);
     const auto y = *rc::gen::inRange<std::uint32_t>(0, plan.height);

@@ -83,9 +83,32 @@ TEST(Domains, HaveACrossBetweenTwoNumbers) {
     read_domain("domain", "2.5X1", domain);
     EXPECT_EQ(domain, (Domain{2.5, 1}));
     for (const std::string text : {"1", "1x1x1", "axb", "", "x", "1x"})
-        EXPECT_EQ(
-            refusal_of([&] { read_domain("domain", text, domain); }),
-            "domain " + shown(text) + ": must be WIDTHxHEIGHT, two numbers such as 1x1 or 2.5x1");
+        EXPECT_TRUE(refusal_of([&] { read_domain("domain", text, domain); })
+                        .starts_with("domain " + shown(text) +
+                                     ": must be WIDTHxHEIGHT, two numbers such as 1x1 or 2.5x1, "))
+            << text;
+}
+
+TEST(Domains, MayHaveACornerBeforeAPlus) {
+    const auto domain_of = [](const std::string& text) {
+        Domain domain{9, 9, Boundary::torus, 9, 9};
+        read_domain("domain", text, domain);
+        return domain;
+    };
+    const auto expected = [](double x0, double y0, double width, double height) {
+        return Domain{width, height, Boundary::torus, x0, y0};
+    };
+    EXPECT_EQ(domain_of("448000,5411000+2000x1500"), expected(448000, 5411000, 2000, 1500));
+    EXPECT_EQ(domain_of("-10,-20.5+5X5"), expected(-10, -20.5, 5, 5));
+    EXPECT_EQ(domain_of("1e+5,-2e+6+3e+2x4e2"), expected(1e5, -2e6, 300, 400));
+    EXPECT_EQ(domain_of("2x1"), expected(0, 0, 2, 1));
+    for (const std::string text :
+         {"1,2+3", "1,2,3+4x5", "1+2+3x4", "1,2", "1,2x3", ",2+3x4", "1,+3x4", "1,2+x4", "1,2+3x",
+          "1,2e+3x4", "1,2++3x4", "1, 2+3x4", "1,2 +3x4", "1,2+3x4+5", "+", ",", ",+x", "e+,e+x"})
+        EXPECT_TRUE(refusal_of([&] { domain_of(text); })
+                        .ends_with("or X0,Y0+WIDTHxHEIGHT with the lower left corner, such as "
+                                   "448000,5411000+2000x1500"))
+            << text;
 }
 
 TEST(Lengths, HaveAUnit) {

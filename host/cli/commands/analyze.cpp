@@ -25,6 +25,7 @@
 #include "cli/terminal/progress_bar.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
+#include "plan/corner.h"
 #include "recipes/read.h"
 #include "verify/verify.h"
 
@@ -95,8 +96,8 @@ std::vector<Output> check(const CommandLine& line, const AnalyzeCommand& options
 }
 
 void add_sides(Input& input, const files::SetsOfFile& file, const std::string& name) {
-    if (!file.width) return;
-    const Domain sides{*file.width, *file.height};
+    if (!file.domain) return;
+    const Domain& sides = *file.domain;
     try {
         verify::check_domain(sides);
     } catch (const BadRequest& error) {
@@ -104,10 +105,9 @@ void add_sides(Input& input, const files::SetsOfFile& file, const std::string& n
     }
     if (input.sides && *input.sides != sides)
         throw files::FileError(
-            fmt::format("{}: its domain is {}x{}, but {} has {}x{}: analyse them separately, or "
-                        "give --domain",
-                        name, sides.width, sides.height, input.sides_from, input.sides->width,
-                        input.sides->height));
+            fmt::format("{}: its domain is {}, but {} has {}: analyse them separately, or give "
+                        "--domain",
+                        name, text_of(sides), input.sides_from, text_of(*input.sides)));
     input.sides = sides;
     input.sides_from = name;
 }
@@ -124,11 +124,10 @@ void add_boundary(Input& input, const files::SetsOfFile& file, const std::string
 
 // Without this check, files that give no domain would be analysed on the domain of another file.
 void check_told(const Input& input, const std::vector<std::string>& silent) {
-    const bool is_usual = !input.sides || (input.sides->width == 1 && input.sides->height == 1);
+    const bool is_usual = !input.sides || *input.sides == Domain{};
     if (is_usual || silent.empty()) return;
-    throw files::FileError(fmt::format("{}: gives no domain, but {} gives {} x {}: give --domain",
-                                       silent.front(), input.sides_from, input.sides->width,
-                                       input.sides->height));
+    throw files::FileError(fmt::format("{}: gives no domain, but {} gives {}: give --domain",
+                                       silent.front(), input.sides_from, text_of(*input.sides)));
 }
 
 Input read_input(const AnalyzeCommand& options) {
@@ -138,7 +137,7 @@ Input read_input(const AnalyzeCommand& options) {
         files::SetsOfFile file = files::read_sets(path);
         const std::string name = path == "-" ? "standard input" : path;
         if (!options.sides) add_sides(input, file, name);
-        if (!options.sides && !file.width) silent.push_back(name);
+        if (!options.sides && !file.domain) silent.push_back(name);
         if (!options.torus) add_boundary(input, file, name);
         for (std::size_t i = 0; i < file.sets.size(); ++i) {
             input.names.push_back(file.sets.size() == 1 ? name
@@ -156,17 +155,16 @@ Input read_input(const AnalyzeCommand& options) {
 
 // Refuses points outside of the domain. The upper edges are allowed: programs that write float32
 // may round up to them.
-void check_inside(const Input& input, const analysis::Domain& domain) {
+void check_inside(const Input& input, const Domain& domain) {
     for (std::size_t i = 0; i < input.sets.size(); ++i) {
         const std::vector<Point>& points = input.sets[i];
-        const auto outside = std::find_if(points.begin(), points.end(), [&](const Point& p) {
-            return p.x < 0 || p.x > domain.width || p.y < 0 || p.y > domain.height;
-        });
+        const auto outside = std::find_if_not(points.begin(), points.end(),
+                                              [&](const Point& p) { return domain.holds(p); });
         if (outside == points.end()) continue;
-        throw files::FileError(fmt::format(
-            "{}: point {} at ({}, {}) lies outside the domain [0, {}] x [0, {}]: give --domain",
-            input.names[i], std::distance(points.begin(), outside), outside->x, outside->y,
-            domain.width, domain.height));
+        throw files::FileError(
+            fmt::format("{}: point {} at ({}, {}) lies outside the domain {}: give --domain",
+                        input.names[i], std::distance(points.begin(), outside), outside->x,
+                        outside->y, extent_of(domain, ']')));
     }
 }
 
@@ -187,6 +185,8 @@ void compress(const Ellipse& ellipse, Input& input, analysis::Domain& domain) {
     const double x = std::abs(std::cos(ellipse.angle)) > 0.5 ? root : 1 / root;
     domain.width /= x;
     domain.height *= x;
+    domain.x0 /= x;
+    domain.y0 *= x;
     for (std::vector<Point>& points : input.sets)
         for (Point& point : points) point = {point.x / x, point.y * x};
     for (std::optional<double>& radius : input.radii)
@@ -210,9 +210,9 @@ void run(const CommandLine& line, const AnalyzeCommand& options) {
     Interruption interruption;
     Input input = read_input(options);
     const Domain sides = options.sides.value_or(input.sides.value_or(Domain{}));
-    analysis::Domain domain{sides.width, sides.height,
-                            options.torus || input.boundary == Boundary::torus};
-    check_inside(input, domain);
+    check_inside(input, sides);
+    analysis::Domain domain = verify::domain_of(sides);
+    domain.torus = options.torus || input.boundary == Boundary::torus;
     if (options.ellipse) compress(*options.ellipse, input, domain);
     const analysis::Analysis analysis = analyse(input, domain, options);
 

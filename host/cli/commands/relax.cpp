@@ -71,8 +71,10 @@ Json json_of(const RelaxCommand& options, const Request& request) {
               {"image",
                options.set.picture.path.empty() ? Json(nullptr) : Json(options.set.picture.path)},
               {"width", request.domain.width},
-              {"height", request.domain.height},
-              {"boundary", request.domain.wraps() ? "torus" : "box"}};
+              {"height", request.domain.height}};
+    if (request.domain.has_corner())
+        json.update({{"x0", request.domain.x0}, {"y0", request.domain.y0}});
+    json["boundary"] = request.domain.wraps() ? "torus" : "box";
     json.update(json_of_importance(options.set.picture.importance));
     json["backend"] = request.place.backend;
     json["device"] = request.place.device;

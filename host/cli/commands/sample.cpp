@@ -46,6 +46,7 @@ Examples:
   lacuna sample --radius 0.005 --seed 7 -o a.csv --report a.json   points, and a report of the run
   lacuna sample --count 10k --format npy > a.npy      another format on standard output
   lacuna sample --field density.png --scale 0.004 -o points.npy   dense where it is dark
+  lacuna sample --domain 448000,5411000+2000x1500 --radius 20 -o map.csv   a part of a map, in metres
   lacuna sample --inside lakes.svg --border 2 --radius 3 -o fish.svg   points within polygons
   lacuna sample --inside park.svg --outside pond.svg --radius 3 -o trees.svg   and not in others
   lacuna sample --avoid rocks.csv --avoid path.svg:2 --radius 1 -o plants.csv   around obstacles

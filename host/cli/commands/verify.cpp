@@ -50,7 +50,8 @@ printed; points are numbered from 0, in the order of the file. Distances are in 
 compute them: sqrt(dx * dx + dy * dy). The default T is more than a sampler may lose by rounding R
 up to whole units of a grid, 2^30 or more of them along the longer side; T = 0 forgives no more than
 1e-12 of that side. A T over 1 % of R proves no maximal set, and the verdict says what it does prove.
-The radius, domain and boundary in a .json are used unless an option gives them.
+The radius, domain and boundary in a .json are used unless an option gives them. A domain that does
+not begin at 0, 0 is given by its lower left corner, too: --domain 448000,5411000+2000x1500.
 
 With --field, R is the smaller radius of two places: of two points, or of a spot and the point that
 is to cover it. The pair and the spot that are printed are the worst ones, compared with their R.
@@ -95,8 +96,7 @@ Request request_of(const CommandLine& line, const VerifyCommand& options, const 
     Request request = given.request;
     ask_for_files(line, options.domain, options.distances_only, file, name);
     claim.own_field = use_values(line, file, request, claim.options.edge);
-    if (!line.has("domain") && file.width)
-        request.domain = {*file.width, *file.height, request.domain.boundary};
+    if (!line.has("domain") && file.domain) take_shape(*file.domain, request);
     if (file.boundary == Boundary::torus) request.domain.boundary = Boundary::torus;
     if (request.classes.names.empty() && !file.distances.empty())
         request.classes = {file.classes.names, file.distances, file.weights};

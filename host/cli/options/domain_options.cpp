@@ -115,6 +115,12 @@ void repeat(const Request& request, std::vector<PolygonRing>& rings) {
 
 }  // namespace
 
+void take_shape(const Domain& shape, Request& request) {
+    const Boundary boundary = request.domain.boundary;
+    request.domain = shape;
+    request.domain.boundary = boundary;
+}
+
 Targets targets_of(DomainOptions& options) {
     Targets targets{{"field", &options.field.path},
                     {"ellipses", &options.ellipses.path},
@@ -136,7 +142,7 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
     request.classes = read_classes(options.classes);
     bool has_shape = line.has("domain");
     const auto give_shape = [&](const Domain& shape) {
-        if (!has_shape) request.domain = {shape.width, shape.height, request.domain.boundary};
+        if (!has_shape) take_shape(shape, request);
         has_shape = true;
     };
     if (!options.field.path.empty()) {

@@ -110,6 +110,9 @@ struct DomainFiles {
 
 Targets targets_of(DomainOptions& options);
 
+// Gives the request this domain, but leaves its boundary.
+void take_shape(const Domain& shape, Request& request);
+
 // Reads the files and makes `request` point to their contents. Without --domain, the first of these
 // that is given decides the domain: the field's picture (longer side 1), the page of the polygons,
 // the mask (longer side 1). Draws no polygons. Throws BadRequest and files::FileError.

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "cli/options/domain_options.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
 #include "files/read_whole.h"
@@ -71,8 +72,7 @@ SetAndField read_given_set(const CommandLine& line, const GivenSet& set, Request
         read.field = read_field(set.picture, shape);
         if (!has_domain) request.domain = shape.domain;
     }
-    if (!has_domain && file.width)
-        request.domain = {*file.width, *file.height, request.domain.boundary};
+    if (!has_domain && file.domain) take_shape(*file.domain, request);
     if (file.boundary == Boundary::torus) request.domain.boundary = Boundary::torus;
     read.file = std::move(file);
     return read;

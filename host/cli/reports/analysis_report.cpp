@@ -11,6 +11,8 @@
 #include <optional>
 #include <string_view>
 
+#include "plan/corner.h"
+
 namespace lacuna::cli {
 namespace {
 
@@ -42,8 +44,8 @@ void add_counts(Rows& rows, const Analysis& a) {
         rows.add("points a set", "{} to {}, mean {:.6g}", a.counts.least, a.counts.most,
                  a.counts.mean);
     }
-    rows.add("domain", "{} x {}, {}", a.domain.width, a.domain.height,
-             a.domain.torus ? "torus" : "box");
+    rows.add("domain", "{} x {}{}, {}", a.domain.width, a.domain.height,
+             corner_text(a.domain.x0, a.domain.y0), a.domain.torus ? "torus" : "box");
     if (!a.radius) return;
     rows.add("radius", "{:.6g}", *a.radius);
     rows.add("count * radius^2 / area", "{:.5f}", *a.count_times_squared_radius);
@@ -204,23 +206,24 @@ std::string text_of(const Analysis& analysis) {
 }
 
 std::string json_of(const Analysis& a, const std::vector<std::string>& files) {
-    const Json report = {
-        {"program", "lacuna"},
-        {"version", LACUNA_VERSION},
-        {"files", files},
-        {"sets", a.sets},
-        {"points_a_set",
-         {{"least", a.counts.least}, {"mean", a.counts.mean}, {"most", a.counts.most}}},
-        {"domain",
-         {{"width", a.domain.width},
-          {"height", a.domain.height},
-          {"boundary", a.domain.torus ? "torus" : "box"}}},
-        {"radius", or_null(a.radius)},
-        {"count_times_squared_radius_over_area", or_null(a.count_times_squared_radius)},
-        {"nearest_neighbour", json_of_distances(a)},
-        {"pair_correlation", json_of_pairs(a)},
-        {"spectrum", json_of_spectrum(a)},
-        {"bond_orientational_order", json_of_order(a)}};
+    Json report = {{"program", "lacuna"},
+                   {"version", LACUNA_VERSION},
+                   {"files", files},
+                   {"sets", a.sets},
+                   {"points_a_set",
+                    {{"least", a.counts.least}, {"mean", a.counts.mean}, {"most", a.counts.most}}},
+                   {"domain",
+                    {{"width", a.domain.width},
+                     {"height", a.domain.height},
+                     {"boundary", a.domain.torus ? "torus" : "box"}}},
+                   {"radius", or_null(a.radius)},
+                   {"count_times_squared_radius_over_area", or_null(a.count_times_squared_radius)},
+                   {"nearest_neighbour", json_of_distances(a)},
+                   {"pair_correlation", json_of_pairs(a)},
+                   {"spectrum", json_of_spectrum(a)},
+                   {"bond_orientational_order", json_of_order(a)}};
+    if (a.domain.x0 != 0 || a.domain.y0 != 0)
+        report["domain"].update({{"x0", a.domain.x0}, {"y0", a.domain.y0}});
     // File names are bytes, which need not be UTF-8.
     return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

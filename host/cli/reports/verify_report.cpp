@@ -11,6 +11,7 @@
 
 #include "cli/reports/report.h"
 #include "cli/terminal/run_program.h"
+#include "plan/corner.h"
 #include "verify/verify.h"
 
 namespace lacuna::cli {
@@ -106,10 +107,9 @@ std::string reason(const SetClaim& claim) {
 std::string refusal(const SetClaim& claim) {
     const Proof& proof = claim.proof;
     if (proof.outside) {
-        const char end = is_torus(claim) ? ')' : ']';
-        return fmt::format("refused: point {} lies outside the domain [0, {}{} x [0, {}{}",
-                           numbered(claim, *proof.outside), claim.domain.width, end,
-                           claim.domain.height, end);
+        return fmt::format("refused: point {} lies outside the domain {}",
+                           numbered(claim, *proof.outside),
+                           extent_of(claim.domain, is_torus(claim) ? ')' : ']'));
     }
     if (proof.moved)
         return fmt::format("refused: the set does not have point {} of {}, at {}, in its place",
@@ -156,7 +156,8 @@ std::string text_of_one(const SetClaim& claim) {
     constexpr std::string_view kVerdictRow = "{:<18}{:<{}}   {}\n";
     std::string lines = fmt::format(kRow, "points", claim.points.size());
     lines += fmt::format(kRow, "domain",
-                         fmt::format("{} x {}, {}", claim.domain.width, claim.domain.height,
+                         fmt::format("{} x {}{}, {}", claim.domain.width, claim.domain.height,
+                                     corner_text(claim.domain.x0, claim.domain.y0),
                                      is_torus(claim) ? "torus" : "box"));
     lines += fmt::format(kRow, "radius", radius(claim)) + places(claim);
     if (!claim.distances_only) lines += fmt::format(kRow, "tolerance", *claim.tolerance);
@@ -208,6 +209,8 @@ Json json_of_one(const SetClaim& claim) {
               {"tolerance", claim.distances_only ? Json(nullptr) : Json(*claim.tolerance)},
               {"holds", claim.holds()},
               {"verdict", claim.conclusion()}};
+    if (claim.domain.has_corner())
+        json["domain"].update({{"x0", claim.domain.x0}, {"y0", claim.domain.y0}});
     if (claim.field != nullptr) {
         json["scale"] = claim.scale;
         json["least_radius"] = claim.radii.most > 0 ? Json(claim.radii.least) : Json(nullptr);

@@ -22,13 +22,31 @@ struct Point {
 // What happens at the edges of the domain: they wrap (torus) or they do not (box).
 enum class Boundary { box, torus };
 
-// The rectangle [0, width) x [0, height), in the user's unit of length. Sides are over 0, neither
-// over 1000 times the other.
+// The rectangle [x0, x0 + width) x [y0, y0 + height), in the user's unit of length. Sides are over
+// 0, neither over 1000 times the other. x0 and y0 are finite, at most 2^20 times the longer side
+// from 0: beyond that doubles would run out of digits.
 struct Domain {
     double width = 1;
     double height = 1;
     Boundary boundary = Boundary::box;
+    double x0 = 0;  // the lower left corner
+    double y0 = 0;
 
+    // Whether a point lies in the domain. The upper edges belong to a box, too; on a torus they are
+    // the lower ones.
+    bool holds(Point point) const {
+        const double right = x0 + width, top = y0 + height;
+        return point.x >= x0 && point.y >= y0 && (wraps() ? point.x < right : point.x <= right) &&
+               (wraps() ? point.y < top : point.y <= top);
+    }
+    // The way from the corner to a point of the domain, and the point at the end of such a way.
+    Point from_corner(Point point) const {
+        const double x = point.x - x0, y = point.y - y0;
+        return {x < width ? x : width, y < height ? y : height};
+    }
+    Point at(Point way) const { return {x0 + way.x, y0 + way.y}; }
+
+    bool has_corner() const { return x0 != 0 || y0 != 0; }
     bool wraps() const { return boundary == Boundary::torus; }
     double longer_side() const { return width < height ? height : width; }
     double shorter_side() const { return height < width ? height : width; }

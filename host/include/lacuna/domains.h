@@ -76,13 +76,14 @@ Polygons read_lines(const std::string& path);
 // The same for bytes that have been read.
 Polygons decode_lines(std::string_view bytes, std::string_view format, const std::string& name);
 
-// The rings of `polygons` for this domain. A page is stretched over it; without a page the
-// coordinates do not change.
+// The rings of `polygons` for this domain. A page is stretched over it, its lower left corner on
+// the domain's; without a page the coordinates do not change.
 std::vector<PolygonRing> fitted(Polygons polygons, const Domain& domain);
 
-// The box of sets that have no page: 1 x 1, or up to their farthest corner if they reach beyond it.
-// Throws BadRequest if they lie far from (0, 0), where a domain begins, and for coordinates and
-// distances that are not finite.
+// The domain of sets that have no page: 1 x 1, or from (0, 0) to their farthest corner if they
+// reach beyond it. If they lie far from (0, 0), or beyond it, the box around them where it lies.
+// Throws BadRequest for a box without an area, and for coordinates and distances that are not
+// finite.
 Domain domain_around(std::span<const PolygonSet> sets);
 
 // Throws BadRequest for sets of an option, or of one of its files, that lie wholly outside of the

@@ -32,6 +32,8 @@
 //   - With classes the limit of two points, or of a point and a spot for one more point of a class,
 //     is multiplied by the distance of their two classes, as a share of the least one.
 //   - Points to keep are the first of the set, in their order, and equal to the last bit.
+//   - Gaps, pixels and polygons are searched with the domain's corner as (0, 0). `largest_gap` is
+//     rounded to doubles when the corner is added.
 //   - The work grows nearly linearly with the number of points, however crowded they are.
 #pragma once
 

@@ -1,0 +1,67 @@
+// Checks the corner of a domain, and writes it.
+#include "plan/corner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "base/number_text.h"
+#include "base/polling.h"
+
+namespace lacuna {
+namespace {
+
+// The largest coordinate along an axis if sums are rounded there.
+double farthest(double corner, double side) {
+    return corner == 0 ? 0 : std::max(std::abs(corner), std::abs(corner + side));
+}
+
+}  // namespace
+
+void check_corner(const Domain& domain) {
+    if (!std::isfinite(domain.x0) || !std::isfinite(domain.y0))
+        throw BadRequest("domain", text_of(domain), "the corner must be two finite numbers");
+    const double most = kFarthestCorner * domain.longer_side();
+    if (std::max(std::abs(domain.x0), std::abs(domain.y0)) > most)
+        throw BadRequest("domain", text_of(domain),
+                         "the corner may be at most " + shortest(most) +
+                             " from 0 along either axis, 2^20 times the longer side, or doubles "
+                             "run out of digits");
+}
+
+double lost_at_corner(const Domain& domain) {
+    // Each coordinate of both points is off by at most 2^-53 of the largest one.
+    return 0x1p-52 * std::hypot(farthest(domain.x0, domain.width),  //
+                                farthest(domain.y0, domain.height));
+}
+
+std::vector<Point> from_corner(std::span<const Point> points, const Domain& domain) {
+    std::vector<Point> ways(points.size());
+    for_each_polled(points.size(), ask,
+                    [&](std::size_t i) { ways[i] = domain.from_corner(points[i]); });
+    return ways;
+}
+
+std::string text_of(const Domain& domain) {
+    const std::string sides = shortest(domain.width) + "x" + shortest(domain.height);
+    if (!domain.has_corner()) return sides;
+    return shortest(domain.x0) + "," + shortest(domain.y0) + "+" + sides;
+}
+
+std::string corner_text(double x0, double y0) {
+    if (x0 == 0 && y0 == 0) return "";
+    return " at (" + shortest(x0) + ", " + shortest(y0) + ")";
+}
+
+std::string extent_of(const Domain& domain, char end) {
+    std::string text;
+    const auto add = [&](double low, double high) {
+        text.append("[").append(shortest(low)).append(", ").append(shortest(high)) += end;
+    };
+    add(domain.x0, domain.x0 + domain.width);
+    text += " x ";
+    add(domain.y0, domain.y0 + domain.height);
+    return text;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,80 @@
+// Judges the set of a request whose domain has been moved, with its kept points and polygons, to a
+// corner at which coordinates lose digits.
+#pragma once
+
+#include <lacuna/domains.h>
+#include <lacuna/lacuna.h>
+#include <lacuna/verify.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hostile/answers.h"
+#include "hostile/counts.h"
+#include "hostile/judge_set.h"
+#include "hostile/made.h"
+
+namespace lacuna::tests {
+
+// In longer sides: from the least to the greatest that is allowed, and of few digits and many.
+inline double any_corner(std::mt19937_64& random) {
+    const double sign = random() % 2 == 0 ? 1 : -1;
+    return sign * std::array{0.0, 1e-17, 0.1, 1.0, 3606.6, 0x1p20}[random() % 6];
+}
+
+// Adding the corner rounds kept points, so that they may be too close to each other, or to a
+// border: then the request is refused, and there is nothing to judge.
+inline void judge_elsewhere(const Made& made, const std::vector<std::string>& backends,
+                            std::mt19937_64& random, Counts& counts) {
+    Request request = made.request;
+    Domain& domain = request.domain;
+    domain.x0 = any_corner(random) * domain.longer_side();
+    domain.y0 = any_corner(random) * domain.longer_side();
+    const auto move = [&](Point& point) { point = {domain.x0 + point.x, domain.y0 + point.y}; };
+    std::vector<Point> kept(made.keep);
+    std::for_each(kept.begin(), kept.end(), move);
+    request.keep = kept;
+    std::vector<PolygonSet> sets(made.polygons);
+    std::vector<std::vector<PolygonRing>> rings;
+    for (const PolygonSet& set : sets) {
+        rings.emplace_back(set.rings.begin(), set.rings.end());
+        for (PolygonRing& ring : rings.back()) std::for_each(ring.begin(), ring.end(), move);
+    }
+    for (std::size_t i = 0; i < sets.size(); ++i) sets[i].rings = rings[i];
+    const std::string at = "at the corner " + told(Point{domain.x0, domain.y0}) + " ";
+    Mask mask;
+    Result set;
+    try {
+        if (!sets.empty()) {
+            mask = draw_places(sets, domain, made.edge);
+            request.mask = &mask;
+        }
+        request.place.backend = backends[1 + random() % (backends.size() - 1)];
+        set = sample(request);
+    } catch (const BadRequest& error) {
+        demand(!kept.empty() && std::string_view(error.what()).starts_with("keep "),
+               at + "the request is refused: " + error.what());
+        return;
+    }
+    for (const Point& point : set.points)
+        demand(domain.holds(point), at + told(point) + " lies outside of the domain");
+    if (request.mode == Mode::cells || request.mode == Mode::stratified) return;
+    Claim claim = lacuna::claim_of(request, set);
+    if (!sets.empty()) {
+        claim.mask = nullptr;
+        claim.polygons = sets;
+        claim.edge_tolerance = made.edge;
+    }
+    const Set whole{set.points, set.classes, 0, !claim.distances_only};
+    demand_proof(prove(set.points, claim), whole, at + "lacuna/verify.h");
+    ++counts.proofs;
+}
+
+}  // namespace lacuna::tests
