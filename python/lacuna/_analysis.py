@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
     from matplotlib.axes import Axes
 
-    from ._arguments import Progress, Whole
+    from ._arguments import Domain, Progress, Whole
 
     Floats = npt.NDArray[np.float64]
 
@@ -115,7 +115,7 @@ class Analysis:
 def analyze(
     points: npt.ArrayLike | Sequence[npt.ArrayLike],
     *,
-    domain: tuple[SupportsFloat, SupportsFloat] | None = None,
+    domain: Domain | None = None,
     torus: bool | None = None,
     max_frequency: SupportsFloat = 2,
     threads: Whole = 0,
@@ -130,8 +130,8 @@ def analyze(
     points : PointSet or array_like, shape (N, 2), or a list of them
         Each set must have at least one point.
     domain : tuple of float, optional
-        Width and height of all sets. By default the first set's domain if that is a PointSet, else
-        (1, 1).
+        (width, height) or (x0, y0, x1, y1) of all sets. By default the first set's domain if that
+        is a PointSet, else (1, 1).
     torus : bool, optional
         Whether the edges wrap. By default as in the first set if it is a PointSet, else False.
     max_frequency : float

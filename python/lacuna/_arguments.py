@@ -25,6 +25,12 @@ if TYPE_CHECKING:
     Metric = Literal["min", "mean", "max"]
     Seed = int | float | np.integer[Any] | np.random.Generator | None
     Progress = Callable[[int, int], object]
+    # A domain: (width, height), or (x0, y0, x1, y1) with its corners.
+    Domain = (
+        tuple[SupportsFloat, SupportsFloat]
+        | tuple[SupportsFloat, SupportsFloat, SupportsFloat, SupportsFloat]
+    )
+    Extent = tuple[float, float] | tuple[float, float, float, float]
 
 # Most pixels in all and along a side, as exponents of 2. Masks of draw_mask may be larger.
 _OF_FIELDS = (28, 20)
@@ -103,15 +109,31 @@ def _device(name: str, value: object) -> str:
     return str(whole(name, value, 0, 2**31))  # type: ignore[arg-type]
 
 
-def pair(name: str, value: object) -> tuple[float, float]:
-    """Two floats."""
+def domain_in(name: str, value: object) -> Extent:
+    """(width, height) if the lower left corner is (0, 0), or else (x0, y0, x1, y1)."""
     try:
-        both: list[SupportsFloat] = list(value)  # type: ignore[call-overload]
+        given: list[SupportsFloat] = list(value)  # type: ignore[call-overload]
     except TypeError:
-        both = []
-    if len(both) != 2:
-        raise TypeError(f"{name} must be two numbers, (width, height), not {shown(value)}")
-    return real(name, both[0]), real(name, both[1])
+        given = []
+    if len(given) == 2:
+        return real(name, given[0]), real(name, given[1])
+    if len(given) != 4:
+        raise TypeError(
+            f"{name} must be (width, height) or (x0, y0, x1, y1), not {shown(value)}"
+        )
+    x0, y0, x1, y1 = (real(name, one) for one in given)
+    if not (x0 < x1 and y0 < y1):
+        raise BadRequest(
+            f"{name} {shown(value)}: must be (x0, y0, x1, y1) with x0 < x1 and y0 < y1", name
+        )
+    return (x0, y0, x1, y1) if x0 != 0 or y0 != 0 else (x1, y1)
+
+
+def corner_and_sides(domain: Extent) -> tuple[float, float, float, float]:
+    """x0, y0, width and height."""
+    if len(domain) == 2:
+        return 0.0, 0.0, domain[0], domain[1]
+    return domain[0], domain[1], domain[2] - domain[0], domain[3] - domain[1]
 
 
 def _seed(name: str, value: Any) -> int:
@@ -143,7 +165,7 @@ _KINDS: dict[str, Callable[[str, Any], object]] = {
     **{name: _READERS[kind] for name, kind in _core.kinds_of_options().items()},
     "backend": text,
     "device": _device,
-    "domain": pair,
+    "domain": domain_in,
     **dict.fromkeys(("dot_size", "pens", "paper_size", "margin", "plot_time"), text),
     "ink_counts": _counts,
     "measure": flag,

@@ -12,14 +12,14 @@ if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
 
-    from ._arguments import Seed
+    from ._arguments import Domain, Seed
 
 
 def order(
     points: npt.ArrayLike,
     field: npt.ArrayLike | None = None,
     *,
-    domain: tuple[SupportsFloat, SupportsFloat] | None = None,
+    domain: Domain | None = None,
     torus: bool | None = None,
     seed: Seed = 0,
 ) -> npt.NDArray[np.uint32]:
@@ -39,8 +39,8 @@ def order(
     field : array_like, shape (rows, columns), optional
         Importance, as for ``sample``, not 0 at a point: distances follow it.
     domain : tuple of float, optional
-        Width and height. By default the PointSet's domain, else the field's shape with a longer
-        side of 1, else (1, 1).
+        (width, height) or (x0, y0, x1, y1). By default the PointSet's domain, else the field's
+        shape with a longer side of 1, else (1, 1).
     torus : bool, optional
         Whether the edges wrap. By default as in the PointSet, else False.
     seed : None, int or numpy.random.Generator

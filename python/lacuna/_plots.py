@@ -6,9 +6,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ._arguments import corner_and_sides
+
 if TYPE_CHECKING:
     import numpy.typing as npt
     from matplotlib.axes import Axes
+
+    from ._arguments import Extent
 
     Floats = npt.NDArray[np.float64]
 
@@ -31,7 +35,7 @@ def _axes(ax: Axes | None) -> Axes:
 def dots(
     ax: Axes | None,
     points: Floats,
-    domain: tuple[float, float],
+    domain: Extent,
     least_distance: float,
     radii: Floats | None,
     color: str | npt.NDArray[np.str_] = "black",
@@ -40,11 +44,12 @@ def dots(
     ax = _axes(ax)
     from matplotlib.collections import EllipseCollection
 
-    ax.set(aspect="equal", xlim=(0, domain[0]), ylim=(0, domain[1]))
+    x0, y0, width, height = corner_and_sides(domain)
+    ax.set(aspect="equal", xlim=(x0, x0 + width), ylim=(y0, y0 + height))
     ax.set(xlabel="x (unit of the domain)", ylabel="y (unit of the domain)")
     if radii is None:
         if least_distance == 0:
-            least_distance = (_DENSITY * domain[0] * domain[1] / max(1, len(points))) ** 0.5
+            least_distance = (_DENSITY * width * height / max(1, len(points))) ** 0.5
         radii = np.full(len(points), least_distance / 3)
     circles = EllipseCollection(
         2 * radii,
@@ -72,7 +77,7 @@ def curve(ax: Axes | None, x: Floats, y: Floats, of_x: str, of_y: str) -> Axes:
 def verdict(
     ax: Axes | None,
     points: Floats,
-    domain: tuple[float, float],
+    domain: Extent,
     wrong: list[int],
     pair: tuple[tuple[int, int], bool] | None,
     gap: tuple[tuple[float, float], float, bool] | None,

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any, Iterable, SupportsFloat
 import numpy as np
 
 from . import _core
-from ._arguments import options, path_bytes, points_array, real, shown
+from ._arguments import corner_and_sides, options, path_bytes, points_array, real, shown
 from ._errors import BadRequest
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from ._arguments import Whole
+    from ._arguments import Domain, Extent, Whole
 
     Floats = npt.NDArray[np.float64]
 
@@ -145,17 +145,18 @@ class _Place:
         else:
             self.rings = [points_array(argument, ring) for ring in given]
 
-    def on(self, domain: tuple[float, float], torus: bool) -> _core.PolygonSet:
+    def on(self, domain: Extent, torus: bool) -> _core.PolygonSet:
         """The set for the library. A page is stretched over the domain; on a torus obstacles have
         images on all sides."""
         rings = self.rings
+        x0, y0, width, height = corner_and_sides(domain)
         if self.page is not None:
-            scale = domain[0] / self.page[0], domain[1] / self.page[1]
+            scale = width / self.page[0], height / self.page[1]
             with np.errstate(over="ignore", invalid="ignore"):  # the library refuses inf and NaN
-                rings = [ring * scale for ring in rings]
+                rings = [(x0, y0) + ring * scale for ring in rings]
         if torus and self.argument == "avoid":
             sides = (-1.0, 0.0, 1.0)
-            images = [np.multiply((i, j), domain) for i in sides for j in sides]
+            images = [np.multiply((i, j), (width, height)) for i in sides for j in sides]
             rings = [ring + image for ring in rings for image in images]
         return self.argument, rings, self.is_forbidden, self.distance
 
@@ -190,7 +191,7 @@ def _several(given: object) -> list[object]:
     return [] if given is None else [given]
 
 
-def around(places: list[_Place]) -> tuple[float, float]:
+def around(places: list[_Place]) -> Extent:
     """The domain of places: their first page, or else as far as they reach."""
     page = next((place.page for place in places if place.page is not None), None)
     if page is not None or not places:
@@ -203,11 +204,11 @@ def sets_on(asked: dict[str, Any], places: list[_Place]) -> list[_core.PolygonSe
     return [place.on(asked["domain"], asked["torus"]) for place in places]
 
 
-def domain_around(*places: Places) -> tuple[float, float]:
+def domain_around(*places: Places) -> Extent:
     """The domain of places: what ``sample`` and ``verify`` use unless they are given one.
 
     The first page of Polygons that have one; else (1, 1), or the farthest corner if the places
-    reach beyond it.
+    reach beyond it. If they lie far from (0, 0), or beyond it, the box around them.
 
     Parameters
     ----------
@@ -216,12 +217,12 @@ def domain_around(*places: Places) -> tuple[float, float]:
     Returns
     -------
     tuple of float
-        Width and height.
+        (width, height), or (x0, y0, x1, y1) of a box that does not begin at (0, 0).
 
     Raises
     ------
     BadRequest
-        The places lie far from (0, 0), where a domain begins.
+        The places lie far from (0, 0) in a box that has no area.
     TypeError
         An argument is of the wrong type.
 
@@ -230,6 +231,8 @@ def domain_around(*places: Places) -> tuple[float, float]:
     >>> import lacuna
     >>> lacuna.domain_around([[(10, 5), (90, 5), (50, 60)]])
     (90.0, 60.0)
+    >>> lacuna.domain_around([[(448000, 5411000), (450000, 5411000), (449000, 5412500)]])
+    (448000.0, 5411000.0, 450000.0, 5412500.0)
     """
     return around([_Place("places", one, False, 0.0) for all in places for one in _several(all)])
 
@@ -242,7 +245,7 @@ def draw_mask(
     avoid: Obstacles | None = None,
     border: SupportsFloat = 0,
     torus: bool = False,
-    domain: tuple[SupportsFloat, SupportsFloat] | None = None,
+    domain: Domain | None = None,
     memory_limit: Whole | None = None,
 ) -> npt.NDArray[np.bool_]:
     """Draw polygons onto an array of bool, the ``mask`` of ``sample`` and ``verify``.
@@ -271,8 +274,8 @@ def draw_mask(
         How far inside of the outline pixels may begin to be True. The command takes a sixteenth of
         the least radius.
     domain : tuple of float, optional
-        Width and height, which must be passed to ``sample`` too. By default ``domain_around`` all
-        these places. A page is stretched over it.
+        (width, height) or (x0, y0, x1, y1), which must be passed to ``sample`` too. By default
+        ``domain_around`` all these places. A page is stretched over it.
     memory_limit : int, optional
         Refuse a mask of more bytes; a pixel takes one. By default a quarter of the machine's
         memory.

@@ -11,7 +11,7 @@ from ._sets import Relaxed, domain_of, relaxed_of
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from ._arguments import Progress, Whole
+    from ._arguments import Domain, Progress, Whole
 
 
 def relax(
@@ -21,7 +21,7 @@ def relax(
     iterations: Whole = 15,
     gaussian: Whole = 0,
     gaussian_distance: SupportsFloat = 0.9,
-    domain: tuple[SupportsFloat, SupportsFloat] | None = None,
+    domain: Domain | None = None,
     torus: bool | None = None,
     measure: bool = False,
     backend: str = "auto",
@@ -49,8 +49,8 @@ def relax(
     gaussian_distance : float
         The distance, in mean spacings, 0 to 1, below which these steps push points apart.
     domain : tuple of float, optional
-        Width and height. By default the PointSet's domain, else the field's shape with a longer
-        side of 1, else (1, 1).
+        (width, height) or (x0, y0, x1, y1). By default the PointSet's domain, else the field's
+        shape with a longer side of 1, else (1, 1).
     torus : bool, optional
         Whether the edges wrap. By default as in the PointSet, else False.
     measure : bool

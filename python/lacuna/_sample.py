@@ -20,7 +20,7 @@ from ._sets import PointSet, set_attributes
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from ._arguments import Metric, Mode, Progress, Seed, Whole
+    from ._arguments import Domain, Metric, Mode, Progress, Seed, Whole
     from ._classes import ClassSizes
     from ._polygons import Obstacles, Places
 
@@ -50,7 +50,7 @@ def sample(
     classes: ClassSizes | None = None,
     between: str | npt.ArrayLike = "sum",
     keep_classes: Iterable[object] | None = None,
-    domain: tuple[SupportsFloat, SupportsFloat] | None = None,
+    domain: Domain | None = None,
     torus: bool = False,
     mode: Mode | None = None,
     seed: Seed = None,
@@ -131,8 +131,10 @@ def sample(
         With classes, of each point of ``keep``: the name of its class, or its place in ``classes``.
         By default those of ``keep``, if it is a PointSet with classes.
     domain : tuple of float, optional
-        Width and height. By default the shape of the field or else of the mask, with a longer side
-        of 1; else ``domain_around`` the polygons and obstacles; without all of these (1, 1).
+        (width, height), or (x0, y0, x1, y1) of a domain whose lower left corner is not (0, 0),
+        such as a part of a map. By default the shape of the field or else of the mask, with a
+        longer side of 1; else ``domain_around`` the polygons and obstacles; without all of these
+        (1, 1). A corner is at most 2^20 times the longer side from 0.
     torus : bool
         Whether the edges wrap.
     mode : {'exact', 'lines', 'cells', 'stratified'}, optional
@@ -279,7 +281,7 @@ class More(TypedDict, total=False):
 
     classes: ClassSizes | None
     between: str | npt.ArrayLike
-    domain: tuple[SupportsFloat, SupportsFloat]
+    domain: Domain
     torus: bool
     mode: Literal["exact", "lines"] | None
     progressive: bool

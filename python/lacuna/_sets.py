@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
     from matplotlib.axes import Axes
 
-    from ._arguments import Metric, Mode
+    from ._arguments import Extent, Metric, Mode
 
     Floats = npt.NDArray[np.float64]
 
@@ -29,7 +29,7 @@ class HasPoints:
     """Points of a domain. numpy accepts the object as an array of N x 2 float64."""
 
     points: Floats = field(repr=False)
-    domain: tuple[float, float]
+    domain: Extent
     torus: bool
 
     def __len__(self) -> int:
@@ -201,7 +201,9 @@ class PointSet(HasPoints):
         same radius. But a prefix is not maximal: it leaves gaps.
         The array is read-only and uses the library's memory, without a copy.
     domain : tuple of float
-        Width and height; points lie in [0, width) x [0, height).
+        (width, height): points lie in [0, width) x [0, height). If the lower left corner is not
+        (0, 0), then (x0, y0, x1, y1): points lie in [x0, x1) x [y0, y1). Functions take either as
+        their ``domain``.
     torus : bool
         Whether the edges wrap.
     radius : float
@@ -400,7 +402,7 @@ def set_attributes(made: dict[str, Any], **more: object) -> dict[str, Any]:
 
 
 def domain_of(
-    points: object, domain: object, torus: object, shape: tuple[float, float] | None = None
+    points: object, domain: object, torus: object, shape: Extent | None = None
 ) -> dict[str, object]:
     """Options: domain and torus as given, or else the points' own, or else ``shape`` or (1, 1)."""
     if isinstance(points, HasPoints):

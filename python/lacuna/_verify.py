@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
     from matplotlib.axes import Axes
 
+    from ._arguments import Domain, Extent
     from ._classes import ClassSizes
     from ._polygons import Obstacles, Places
 
@@ -90,7 +91,7 @@ class Verdict:
     tolerance: float
     scale: float | None
     points: Floats = field(repr=False)
-    domain: tuple[float, float] = field(repr=False)
+    domain: Extent = field(repr=False)
     reason: str
 
     def __bool__(self) -> bool:
@@ -191,7 +192,7 @@ def verify(
     classes: ClassSizes | None = None,
     between: str | npt.ArrayLike = "sum",
     class_of: Iterable[object] | None = None,
-    domain: tuple[SupportsFloat, SupportsFloat] | None = None,
+    domain: Domain | None = None,
     torus: bool | None = None,
     tolerance: SupportsFloat | None = None,
     distances_only: bool = False,
@@ -236,8 +237,8 @@ def verify(
     class_of : iterable of str or int, optional
         The class of each point: its name, or its place in ``classes``. By default a PointSet's own.
     domain : tuple of float, optional
-        Width and height. By default a PointSet's own, else the shape of the field or of the mask,
-        its longer side 1, else ``domain_around`` the polygons and obstacles.
+        (width, height) or (x0, y0, x1, y1). By default a PointSet's own, else the shape of the
+        field or of the mask, its longer side 1, else ``domain_around`` the polygons and obstacles.
     torus : bool, optional
         Whether the edges wrap. By default as in the PointSet, else False.
     tolerance : float, optional

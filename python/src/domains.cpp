@@ -4,6 +4,7 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -64,7 +65,13 @@ Mask mask_of(const nb::list& polygons, const nb::dict& given) {
 nb::tuple domain_of(const nb::list& given) {
     PolygonSets sets(given);
     const Domain domain = domain_around(sets.copy());
-    return nb::make_tuple(domain.width, domain.height);
+    if (!domain.has_corner()) return nb::make_tuple(domain.width, domain.height);
+    Point most{domain.x0, domain.y0};  // a sum of corner and sides would be rounded
+    for (const PolygonSet& set : sets.copy())
+        for (const PolygonRing& ring : set.rings)
+            for (const Point& point : ring)
+                most = {std::max(most.x, point.x), std::max(most.y, point.y)};
+    return nb::make_tuple(domain.x0, domain.y0, most.x, most.y);
 }
 
 }  // namespace

@@ -46,9 +46,18 @@ void read(const nb::dict& given, const recipes::Targets& targets);
 
 inline Domain domain_in(const nb::dict& given) {
     Domain domain;
-    if (given.contains("domain"))
-        std::tie(domain.width, domain.height) =
-            nb::cast<std::pair<double, double>>(given["domain"]);
+    if (given.contains("domain")) {
+        // (width, height) or (x0, y0, x1, y1)
+        const auto numbers = nb::cast<std::vector<double>>(given["domain"]);
+        domain.width = numbers.at(numbers.size() - 2);
+        domain.height = numbers.back();
+        if (numbers.size() == 4) {
+            domain.x0 = numbers[0];
+            domain.y0 = numbers[1];
+            domain.width -= domain.x0;
+            domain.height -= domain.y0;
+        }
+    }
     if (given.contains("torus") && nb::cast<bool>(given["torus"]))
         domain.boundary = Boundary::torus;
     return domain;

@@ -140,6 +140,11 @@ void read_classes(const nb::dict& given, Classes& classes) {
 
 namespace {
 
+// The domain as it was given: corner and sides are no exact sums.
+void keep_domain(const nb::dict& given, nb::dict& made) {
+    if (given.contains("domain")) made["domain"] = given["domain"];
+}
+
 // Decides the mode and the metric of a request that has its field.
 void settle(const nb::dict& given, const recipes::Moves& moves, Request& request) {
     const bool has_ellipses = request.field != nullptr && !request.field->stretches.empty();
@@ -201,6 +206,7 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* ma
             ellipses = ellipses_of(set.result.points, *field, set.result.scale, request.domain);
     }
     nb::dict made = dict_of(std::move(set.result), request, set.relaxed);
+    keep_domain(given, made);
     if (!ellipses.empty()) made["ellipses"] = array_of(std::move(ellipses));
     made["seconds"] = watch.seconds();
     return made;
@@ -224,7 +230,9 @@ nb::list sample_many_points(const nb::dict& given, const std::vector<std::uint64
     nb::list all;
     for (std::size_t i = 0; i < seeds.size(); ++i) {
         request.seed = seeds[i];
-        all.append(dict_of(std::move(results[i]), request, std::nullopt));
+        nb::dict made = dict_of(std::move(results[i]), request, std::nullopt);
+        keep_domain(given, made);
+        all.append(made);
     }
     return all;
 }

@@ -161,6 +161,70 @@ def test_polygons_of_geojson_have_no_page(tmp_path: Path) -> None:
     assert lacuna.domain_around(half) == (1, 1)
 
 
+# ------------------------------------------------------------------------------------- corners
+
+
+MAP = (448000.0, 5411000.0, 450000.0, 5412500.0)
+
+
+def test_a_domain_may_have_any_corner(command: Command) -> None:
+    made = lacuna.sample(90, domain=MAP, seed=3)
+    expected = command("sample", "--radius", 90, "--domain", "448000,5411000+2000x1500", "--seed", 3)
+    assert made.points.tobytes() == expected.tobytes()
+    assert made.domain == MAP and lacuna.verify(made).maximal
+    assert (made.points == lacuna.sample(90, domain=(2000, 1500), seed=3).points + MAP[:2]).all()
+    assert not lacuna.verify(made.points, 90)
+    assert lacuna.verify(made.points, 90, domain=made.domain).maximal
+    # One at (0, 0) is the same as none.
+    assert lacuna.sample(0.5, domain=(0, 0, 2, 1), seed=1).domain == (2, 1)
+    odd = (0.1, -1e3, 0.8, -999.7)  # the sides are no exact differences
+    assert lacuna.sample(0.05, domain=odd, seed=1).domain == odd
+    assert [one.domain for one in lacuna.sample_many(range(2), 90, domain=MAP)] == [MAP, MAP]
+
+
+def test_results_take_their_corner_along(tmp_path: Path) -> None:
+    made = lacuna.sample(90, domain=MAP, torus=True, seed=3)
+    moved = lacuna.relax(made, iterations=2)
+    assert moved.domain == MAP and (moved.points >= MAP[:2]).all() and (moved.points < MAP[2:]).all()
+    assert sorted(lacuna.order(made)) == list(range(len(made)))
+    plain = lacuna.sample(90, domain=(2000, 1500), torus=True, seed=3)
+    assert lacuna.analyze(made).psi_6 == pytest.approx(lacuna.analyze(plain).psi_6)
+    made.save(tmp_path / "a.json")
+    assert '"x0":448000.0,"y0":5411000.0' in (tmp_path / "a.json").read_text()
+    missing = lacuna.verify(made.points[1:], 90, domain=MAP, torus=True)
+    assert missing.largest_gap is not None
+    assert np.hypot(*(missing.largest_gap - made.points[0])) < 90
+    axes = made.plot()
+    assert (axes.get_xlim(), axes.get_ylim()) == ((448000, 450000), (5411000, 5412500))
+    relaxed = lacuna.sample(n=50, domain=MAP, relax=2, seed=1)
+    assert relaxed.relaxed is not None and relaxed.relaxed.domain == MAP
+
+
+def test_outlines_have_points_where_they_lie(command: Command, tmp_path: Path) -> None:
+    parcel = [(448251, 5411932), (448900, 5411950), (448800, 5412400)]
+    assert lacuna.domain_around([parcel]) == (448251, 5411932, 448900, 5412400)
+    rock = [(448700.5, 5412000)]
+    made = lacuna.sample(20, inside=[parcel], avoid=[([rock], 60)], border=5, seed=0)
+    assert made.domain == (448251, 5411932, 448900, 5412400)
+    np.savetxt(tmp_path / "parcel.txt", parcel)
+    np.savetxt(tmp_path / "rock.txt", rock)
+    expected = command(
+        "sample", "--inside", tmp_path / "parcel.txt", "--avoid", f"{tmp_path / 'rock.txt'}:60",
+        "--border", 5, "--radius", 20,
+    )  # fmt: skip
+    assert made.points.tobytes() == expected.tobytes()
+    where: Any = {"inside": [parcel], "avoid": [([rock], 60)], "border": 5}
+    assert lacuna.verify(made, edge=20 / 16, **where).maximal
+    page = lacuna.read_polygons(LAKES)  # a page is stretched over the domain
+    made = lacuna.sample(20, inside=page, domain=MAP, seed=0)
+    expected = command(
+        "sample", "--inside", LAKES, "--radius", 20, "--domain", "448000,5411000+2000x1500"
+    )
+    assert made.points.tobytes() == expected.tobytes()
+    with pytest.raises(lacuna.BadRequest, match="has no area: give a domain"):
+        lacuna.sample(20, avoid=[([[(448000, 5), (448900, 5)]], 3)])
+
+
 # ------------------------------------------------------------------------------------- judging
 
 

@@ -40,7 +40,10 @@ points: Floats = made.points
 numbers: tuple[float, float | None, bool, int] = (made.radius, made.scale, made.maximal, made.seed)
 words: tuple[str, str, str, str] = (made.mode, made.metric, made.backend, made.device)
 counts: tuple[int, int, int, int] = (made.rounds, made.draws, made.lines_per_radius, len(made))
-place: tuple[tuple[float, float], bool] = (made.domain, made.torus)
+extent: tuple[float, float] | tuple[float, float, float, float] = made.domain
+place: tuple[float, bool] = (extent[-1], made.torus)
+elsewhere: lacuna.PointSet = lacuna.sample(90, domain=(448000, 5411000, 450000, 5412500.5))
+there: lacuna.Verdict = lacuna.verify(elsewhere.points, 90, domain=elsewhere.domain)
 seconds: Mapping[str, float] = made.seconds
 levels: tuple[tuple[float, int], ...] = made.levels
 indices: npt.NDArray[np.uint32] = lacuna.order(made, torus=True, seed=2)
