@@ -67,6 +67,7 @@ inline void judge_elsewhere(const Made& made, const std::vector<std::string>& ba
         demand(domain.holds(point), at + told(point) + " lies outside of the domain");
     if (request.mode == Mode::cells || request.mode == Mode::stratified) return;
     Claim claim = lacuna::claim_of(request, set);
+    claim.keep = claim.keep.first(std::min(kept.size(), set.points.size()));  // a limit cuts them
     if (!sets.empty()) {
         claim.mask = nullptr;
         claim.polygons = sets;
