@@ -77,8 +77,8 @@ std::vector<Field> fields_of(const Pixels& pixels, const StippleOptions& options
     pictures::Colours colours{image_of(pixels, {kAll, 0, 0}, behind),
                               image_of(pixels, {0, kAll, 0}, behind),
                               image_of(pixels, {0, 0, kAll}, behind)};
-    return pictures::separated(std::move(colours), options.inks, options.tone, kBlackInk,
-                               options.paper_colour);
+    return pictures::separated(std::move(colours), options.inks, options.tone,
+                               options.black_ink.value_or(kBlackInk), options.paper_colour);
 }
 
 Set set_of(const Request& request, Result result) {
@@ -138,6 +138,14 @@ Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tel
     Set set = set_of(made.request, std::move(made.result));
     set.layers = std::move(made.layers);
     set.diameters = std::move(made.diameters);
+    // A line has no dots, but files have columns for them: as wide as the pen of all inks.
+    const bool have_pens = std::any_of(options.inks.begin(), options.inks.end(),
+                                       [](const Ink& ink) { return ink.pen_mm != 0; });
+    if (options.path_line && options.pens && !have_pens)
+        set.diameters.assign(set.points.size(), made.line_width);
+    set.ellipses = std::move(made.ellipses);
+    set.style.are_strokes = made.are_strokes;
+    set.style.line_width = made.line_width;
     set.style.sheet = made.paper;
     set.style.paper_colour = made.paper_colour;
     set.style.for_a_pen = made.is_for_a_pen;
@@ -212,6 +220,7 @@ std::string encode(const Set& set, const std::string& format) {
     style.diameters = set.diameters;
     files::PointSet points{set.points, set.domain, set.radius, &origin};
     points.layers = set.layers;
+    points.ellipses = set.ellipses;
     files::Dots dots;
     if (set.has_columns) {
         dots = drawing::dots_of(points, style);

@@ -35,6 +35,7 @@ struct Set {
     bool maximal = false;
     std::vector<files::Layer> layers;  // inks and their dots, which come ink by ink; or empty
     std::vector<double> diameters;     // empty: the same for all dots, from the radius
+    std::vector<Ellipse> ellipses;     // of --along: ellipses or strokes; or empty
     drawing::Style style;              // without the diameters
     std::string plot;                  // how long a pen's path and a plot are, in words; or empty
     bool has_columns = false;  // whether csv and npy have columns for dots (pen or paper given)

@@ -116,14 +116,27 @@ EMSCRIPTEN_KEEPALIVE const double* lacuna_points() {
 EMSCRIPTEN_KEEPALIVE const double* lacuna_diameters() {
     return state().set.diameters.empty() ? nullptr : state().set.diameters.data();
 }
-// Writes the inks as JSON to lacuna_text(): for each its dots, which come ink by ink, its colour,
-// 0xrrggbb, and 1 if it is opaque.
+// Three numbers for each point: the radii and the angle of its ellipse or stroke. Or null.
+EMSCRIPTEN_KEEPALIVE const double* lacuna_ellipses() {
+    return state().set.ellipses.empty() ? nullptr : &state().set.ellipses.front().a;
+}
+EMSCRIPTEN_KEEPALIVE bool lacuna_are_strokes() {
+    return state().set.style.are_strokes;
+}
+// Of a line through the dots; 0 without one.
+EMSCRIPTEN_KEEPALIVE double lacuna_line_width() {
+    return state().set.style.line_width;
+}
+// Writes the layers, which are inks or pens, as JSON to lacuna_text(): for each its name, its dots,
+// which come layer by layer, its colour, 0xrrggbb, the width of its pen in mm or 0, and 1 if it is
+// opaque.
 EMSCRIPTEN_KEEPALIVE void lacuna_layers() {
     std::string& text = state().text = "[";
     for (const files::Layer& layer : state().set.layers) {
         text += text.size() == 1 ? "" : ",";
-        text += "{\"dots\":" + std::to_string(layer.dots) +
-                ",\"colour\":" + std::to_string(number_of(layer.ink.colour)) + ",\"opaque\":" +
+        text += "{\"name\":\"" + layer.ink.name + "\",\"dots\":" + std::to_string(layer.dots) +
+                ",\"colour\":" + std::to_string(number_of(layer.ink.colour)) +
+                ",\"pen\":" + shortest(layer.ink.pen_mm) + ",\"opaque\":" +
                 std::to_string(layer.ink.is_opaque_on(state().set.style.paper_colour)) + "}";
     }
     text += "]";

@@ -1,18 +1,24 @@
 // The page: turns its controls into requests, and shows and saves the results.
 import { Cancelled, Engine } from "./engine.js";
+import { hasBlack, InkList } from "./inks.js";
 import { pdfOf } from "./pdf.js";
-import { diameterOf, drawDots, layersOf, drawSpectrum, pageOf, radialPath, View } from "./view.js";
+import { changed, Cropper, readPicture } from "./picture.js";
+import { setFields, settings, Steps } from "./settings.js";
+import { diameterOf, drawDots, drawSpectrum, layersOf, lineWidthOf, ovalOf, pageOf, radialPath, View } from "./view.js";
 
 const $ = (id) => document.getElementById(id);
-const MOST_PIXELS = 4e6; // of a picture; larger ones are scaled down
 const MOST_FOR_SPECTRUM = 100000; // points; the spectrum of more would take too long
 const FREQUENCIES = 1.5; // largest frequency of the spectrum, in units of sqrt(count)
 const QUICK_RELAX = 2; // iterations of the preview
 const POINTS_PER_INCH = 72, MM_PER_INCH = 25.4, PAGE_POINTS = 512;
+const SIDES = ["left", "right", "top", "bottom"];
 const state = document.documentElement.dataset;
 
 let kind = "stipple";
-let picture = null; // { name, columns, rows, rgba, canvas, isExact }
+let whole = null; // the picture as it was read: see picture.js
+let picture = null; // the same, turned and cropped
+let pictures = 0;
+let keepsCrop = false; // whether the next picture is cropped as the link says
 let sent = null; // the picture that the worker has
 let held = ""; // the key of the set that the worker has
 let shown = null; // { key, set, page } on the canvas
@@ -26,19 +32,49 @@ const view = new View($("view"), (zoom) => {
     document.body.classList.toggle("at-rest", zoom === 1);
 });
 
+const inkText = () => $("ink-kind").value === "own" ? $("inks").value : $("ink-kind").value;
+
+const inkList = new InkList($("ink-list"), inkText, (text) => {
+    $("ink-kind").value = "own";
+    $("inks").value = text;
+    update();
+}, showEyes);
+
+const cropper = new Cropper($("cropper"), (cut) => {
+    SIDES.forEach((side) => ($(`crop-${side}`).value = cut[side]));
+    endCrop();
+    view.reset();
+    update();
+    steps.take();
+});
+
+const steps = new Steps(() => settings(kind), recall, ({ canUndo, canRedo }) => {
+    $("undo").setAttribute("aria-disabled", !canUndo);
+    $("redo").setAttribute("aria-disabled", !canRedo);
+});
+
 // --- requests
 class Refused extends Error {}
 
 const controls = () => [...$(`controls-${kind}`).querySelectorAll("[data-option]")];
 
+// The text of a control's option. Paper that lies as the user says is given by its sides.
+function textOf(control) {
+    const lies = $("paper-lies").value, { size } = control.selectedOptions?.[0].dataset ?? {};
+    if (control.id !== "paper" || lies === "" || !size) return control.value.trim();
+    const [short, long] = size.split(" ");
+    return lies === "portrait" ? `${short}x${long}mm` : `${long}x${short}mm`;
+}
+
 // The options that the controls give, as [name, text]. See index.html.
 function optionsNow() {
+    if (kind === "stipple") prepare();
     const options = kind === "stipple" ? [["IMAGE", picture.commandName]] : [];
     for (const control of controls()) {
-        const { option, usual, unit = "" } = control.dataset;
+        const { option, usual, unit = "", flag } = control.dataset;
         if (option === "" || control.disabled || control.closest("[hidden]")) continue;
-        const isFlag = control.type === "checkbox", text = control.value.trim();
-        if (isFlag ? !control.checked : text === usual) continue;
+        const isBox = control.type === "checkbox", isFlag = isBox || flag, text = textOf(control);
+        if (isBox ? !control.checked : flag ? text !== flag : text === usual) continue;
         if (text === "") throw new Refused(`${option} empty: must have a value`);
         options.push([option, isFlag ? "" : text + unit]);
     }
@@ -47,7 +83,7 @@ function optionsNow() {
 
 const has = (o, option) => o.some(([name]) => name === option);
 const controlOf = (option) => controls().find((control) => control.dataset.option === option);
-const relaxOf = (o) => Number(o.find(([name]) => name === "relax")?.[1] ?? controlOf("relax").dataset.usual);
+const relaxOf = (o) => has(o, "along") ? 0 : Number(o.find(([name]) => name === "relax")?.[1] ?? controlOf("relax").dataset.usual);
 // The same set, placed roughly.
 const quick = (o) => [...o.filter(([name]) => name !== "relax" && name !== "pen-path"), ["relax", String(QUICK_RELAX)]];
 const formOf = (o) => [kind, ...o.flat()].map((text) => `${text}\n`).join("");
@@ -56,27 +92,18 @@ const baseName = () => (kind === "stipple" ? picture.name.replace(/\.[^.]*$/, ""
 const grouped = (n) => n.toLocaleString("en");
 
 // --- settings in the page's address, so that a link or a reload has them; the picture is not in it
-const fields = () => [...document.querySelectorAll("form input[data-option], form select")];
-const defaultOf = (field) => field.type === "checkbox" ? field.defaultChecked
-    : field.defaultValue ?? ([...field.options].find((one) => one.defaultSelected) ?? field.options[0]).value;
-
 function remember() {
-    const all = new URLSearchParams(kind === "stipple" ? {} : { kind });
-    for (const field of fields()) {
-        const value = field.type === "checkbox" ? field.checked : field.value;
-        if (value !== defaultOf(field)) all.set(field.id, value);
-    }
-    history.replaceState(null, "", all.toString() ? `#${all}` : location.pathname + location.search);
+    const all = settings(kind);
+    history.replaceState(null, "", all ? `#${all}` : location.pathname + location.search);
 }
 
-function recall(all) {
-    for (const field of fields()) {
-        const value = all.get(field.id) ?? defaultOf(field);
-        if (field.type === "checkbox") field.checked = String(value) === "true";
-        else field.value = value;
-    }
+function recall(text) {
+    const all = new URLSearchParams(text);
+    setFields(all);
     for (const id of ["count-slider", "amount-slider"]) $(id).dispatchEvent(new Event("place"));
     update();
+    const wanted = all.get("kind") === "sample" ? "sample" : "stipple";
+    if (wanted !== kind) select(wanted);
 }
 
 // --- messages
@@ -107,8 +134,10 @@ async function showCommand(o) {
     const words = command.split(" ");
     $("command").replaceChildren(...words.flatMap((word) =>
         [Object.assign(document.createElement("span"), { textContent: word }), " "]).slice(0, -1));
-    $("command-note").textContent = ["png", "pdf"].includes(format)
+    const note = ["png", "pdf"].includes(format)
         ? "The same dots; this file is drawn by the browser, so its bytes differ." : "The same bytes.";
+    $("command-note").textContent = kind === "sample" || picture.isExact ? note
+        : `${note} ${picture.commandName} is the picture as it was ${picture.changes || "read"} here: save it, under Picture.`;
 }
 
 // --- making of sets
@@ -124,8 +153,18 @@ async function make(o, isFinal) {
 function show(key, set) {
     const isFirst = !shown;
     shown = { key, set, page: pageOf(set) };
+    if (kind === "stipple") inkList.show(set.layers, set.points.length / 2);
+    showEyes();
     view.show(set, shown.page);
     if (isFirst) requestAnimationFrame(() => setTimeout(() => (state.first = Math.round(performance.now()))));
+}
+
+// Hides layers on the screen, and says that files have them.
+function showEyes() {
+    const isStipple = kind === "stipple";
+    view.hidden = isStipple ? inkList.hidden : new Set();
+    $("hidden-note").hidden = view.hidden.size === 0;
+    view.draw();
 }
 
 function summary(set, o, seconds) {
@@ -184,7 +223,7 @@ async function run() {
 function schedule() {
     clearTimeout(timer);
     timer = setTimeout(() => {
-        if (!engine || (kind === "stipple" && !picture)) return;
+        if (!engine || (kind === "stipple" && !whole)) return;
         if (isQuick && engine.isBusy) isWaiting = true;
         else run();
     }, 40);
@@ -214,46 +253,60 @@ async function judge(set, o, isOld) {
 }
 
 // --- pictures
-// Whether the command reads the same numbers: the file is a PNG of up to 8 bits, without alpha.
-function isPlainPng(bytes, rgba) {
-    const isPng = [0x89, 0x50, 0x4e, 0x47].every((byte, i) => bytes[i] === byte);
-    if (!isPng || bytes[24] > 8) return false;
-    for (let i = 3; i < rgba.length; i += 4) if (rgba[i] !== 255) return false;
-    return true;
+// Turns and crops the picture, if it is not as the settings say.
+function prepare() {
+    const turns = Number($("turn").value) / 90;
+    const cut = Object.fromEntries(SIDES.map((side) => [side, Number($(`crop-${side}`).value)]));
+    const key = JSON.stringify([turns, cut]);
+    if (picture?.whole === whole && picture.key === key) return;
+    picture = { ...changed(whole, turns, cut), whole, key, number: ++pictures };
+    const changes = [picture.isSmaller && "made smaller", picture.changes].filter(Boolean).join(", ");
+    $("picture-note").textContent = `${grouped(picture.columns)} × ${grouped(picture.rows)} pixels${changes ? `, ${changes}` : ""}.`;
+    $("picture-as-read").hidden = picture.isExact;
+    $("whole").hidden = !picture.changes;
+    view.picture = picture.canvas;
 }
 
-async function readPicture(blob, name) {
-    let bitmap;
-    try {
-        bitmap = await createImageBitmap(blob, { colorSpaceConversion: "none", premultiplyAlpha: "none" });
-    } catch {
-        throw new Error(`${name}: not a picture that this browser can read`);
-    }
-    const shrink = Math.min(1, Math.sqrt(MOST_PIXELS / (bitmap.width * bitmap.height)));
-    const columns = Math.max(1, Math.round(bitmap.width * shrink)), rows = Math.max(1, Math.round(bitmap.height * shrink));
-    const canvas = Object.assign(document.createElement("canvas"), { width: columns, height: rows });
-    const context = canvas.getContext("2d", { willReadFrequently: true });
-    context.imageSmoothingQuality = "high";
-    context.drawImage(bitmap, 0, 0, columns, rows);
-    const rgba = context.getImageData(0, 0, columns, rows).data;
-    const isExact = shrink === 1 && isPlainPng(new Uint8Array(await blob.slice(0, 32).arrayBuffer()), rgba);
-    const commandName = isExact ? name : `${name.replace(/\.[^.]*$/, "")}-as-read.png`;
-    return { name, commandName, columns, rows, rgba: rgba.buffer, canvas, isExact, isSmaller: shrink < 1,
-        number: (picture?.number ?? 0) + 1 };
+function setCrop(turns, cuts) {
+    $("turn").value = String(90 * turns);
+    SIDES.forEach((side, i) => ($(`crop-${side}`).value = cuts[i]));
+}
+
+// The crop stays on the same part.
+function turn() {
+    const [left, right, top, bottom] = SIDES.map((side) => $(`crop-${side}`).value);
+    setCrop((Number($("turn").value) / 90 + 1) % 4, [bottom, top, left, right]);
+    view.reset();
+    update();
+    steps.take();
+}
+
+function beginCrop() {
+    if (!whole) return;
+    const none = { left: 0, right: 0, top: 0, bottom: 0 };
+    const cut = Object.fromEntries(SIDES.map((side) => [side, Number($(`crop-${side}`).value)]));
+    cropper.open(changed(whole, Number($("turn").value) / 90, none), cut);
+    $("crop").setAttribute("aria-pressed", true);
+    say("Drag over the part to keep. Escape leaves it as it was.");
+}
+
+function endCrop() {
+    cropper.close();
+    $("crop").setAttribute("aria-pressed", false);
 }
 
 async function take(blob, name) {
     try {
-        picture = await readPicture(blob, name);
+        whole = await readPicture(blob, name);
     } catch (error) {
         return complain(error);
     }
-    $("picture-name").textContent = picture.name;
-    $("picture-note").textContent = `${grouped(picture.columns)} × ${grouped(picture.rows)} pixels${picture.isSmaller ? ", made smaller" : ""}.`;
-    $("picture-as-read").hidden = picture.isExact;
-    view.picture = picture.canvas;
-    view.reset();
+    if (!keepsCrop) setCrop(0, [0, 0, 0, 0]);
+    keepsCrop = false;
+    endCrop();
+    $("picture-name").textContent = whole.name;
     select("stipple");
+    steps.take();
 }
 
 async function fetched(name) {
@@ -293,11 +346,17 @@ function drawn({ set, page }) {
 
 function asPdf({ set, page }) {
     const scale = page.mm ? (page.mm / MM_PER_INCH) * POINTS_PER_INCH : PAGE_POINTS / Math.max(set.width, set.height);
-    const dot = (i) => ({
-        x: (page.left + set.points[2 * i]) * scale, y: (page.bottom + set.points[2 * i + 1]) * scale,
-        diameter: diameterOf(set, i) * scale });
-    const layers = layersOf(set).map(({ first, dots, colour, opaque }) =>
-        ({ colour, opaque, dots: Array.from({ length: dots }, (_, i) => dot(first + i)) }));
+    const dot = (i) => {
+        const one = { x: (page.left + set.points[2 * i]) * scale, y: (page.bottom + set.points[2 * i + 1]) * scale,
+            diameter: diameterOf(set, i) * scale };
+        if (!set.ellipses) return one;
+        const { a, b, angle } = ovalOf(set, i), x = Math.cos(angle) * scale, y = Math.sin(angle) * scale;
+        return set.areStrokes ? { ...one, diameter: 2 * b * scale, dx: (a - b) * x, dy: (a - b) * y }
+            : { ...one, ax: a * x, ay: a * y, bx: -b * y, by: b * x };
+    };
+    const layers = layersOf(set).map(({ first, dots, colour, opaque, pen }) => ({ colour, opaque,
+        line: set.lineWidth && lineWidthOf(set, page, pen) * scale,
+        dots: Array.from({ length: dots }, (_, i) => dot(first + i)) }));
     return pdfOf({ width: page.width * scale, height: page.height * scale, colour: set.paperColour }, layers);
 }
 
@@ -350,6 +409,7 @@ function select(wanted) {
     $("spectrum").hidden = kind !== "sample";
     document.querySelector(".compare").hidden = kind !== "stipple";
     document.body.classList.toggle("sampling", kind === "sample");
+    endCrop();
     view.picture = kind === "stipple" ? picture?.canvas : null;
     document.title = `Lacuna: ${kind === "stipple" ? "stipple a picture" : "sample points"}`;
     view.reset();
@@ -357,25 +417,44 @@ function select(wanted) {
 }
 
 function update() {
-    for (const id of ["relax", "black", "white", "gamma", "sharpen", "size-by-tone", "sample-relax"]) $(`${id}-value`).textContent = $(id).value;
+    for (const id of ["relax", "black-ink", "along", "black", "white", "gamma", "sharpen", "size-by-tone", "sample-relax"]) $(`${id}-value`).textContent = $(id).value;
+    const isAlong = $("drawn").value === "along", isLine = $("drawn").value === "line";
+    const several = $("pen-kind").querySelector("[value=pens]");
+    several.disabled = isAlong || isLine; // strokes and a line are of one pen
+    if (several.disabled && several.selected) $("pen-kind").value = "radius";
     const pens = $("pen-kind").value;
     $("pen-row").hidden = pens !== "pen";
     $("pens-row").hidden = pens !== "pens";
-    document.querySelectorAll(".tone-row").forEach((part) => (part.hidden = pens !== "radius"));
+    const hide = (rows, isHidden) => document.querySelectorAll(rows).forEach((row) => (row.hidden = isHidden));
+    hide(".tone-row", pens !== "radius" || isLine);
+    hide(".along-row", !isAlong);
+    hide(".relax-row, #ink-kind-row, #ink-list", isAlong); // long dots are black and not relaxed
+    hide("#keep-inside-row", isLine || (isAlong && pens === "pen"));
     $("count").disabled = $("count-slider").disabled = $("plot-time").value !== "";
-    $("ink-row").hidden = $("ink-kind").value !== "own";
+    $("ink-row").hidden = isAlong || $("ink-kind").value !== "own";
     // White inks want dark paper, and the usual inks get theirs back.
     const isLight = $("ink-kind").value.startsWith("white"), paper = $("paper-colour");
     if (isLight && paper.value === "#ffffff") paper.value = "#000000";
     if (!isLight && hadLightInks && paper.value === "#000000") paper.value = "#ffffff";
     hadLightInks = isLight;
-    $("ink-kind").dataset.option = $("ink-row").hidden ? "inks" : "";
+    $("ink-kind").dataset.option = $("ink-kind").value === "own" ? "" : "inks";
+    hide(".black-ink-row", isAlong || paper.value !== "#ffffff" || !hasBlack(inkText()));
     $("amount").dataset.option = $("by").value;
     $("amount-label").textContent = $("by").value === "radius" ? "Radius" : "Number";
-    $("metric-row").hidden = $("ink-kind").value !== "";
-    $("margin").disabled = $("paper").value === "none";
+    $("metric-row").hidden = isAlong || $("ink-kind").value !== "";
+    $("margin").disabled = $("paper-lies").disabled = $("paper").value === "none";
     $("black").disabled = $("white").disabled = $("auto-levels").checked;
     schedule();
+}
+
+function onKey(event) {
+    if (event.key === "Escape") return cropper.picture ? endCrop() : engine?.cancel();
+    const key = event.key.toLowerCase();
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || !["z", "y"].includes(key)) return;
+    if (event.target.matches("input[type=text], input[type=number]")) return; // the browser undoes typing
+    event.preventDefault();
+    if (key === "y" || event.shiftKey) steps.redo();
+    else steps.undo();
 }
 
 function listen() {
@@ -389,14 +468,18 @@ function listen() {
     for (const form of ["controls-stipple", "controls-sample"]) {
         $(form).addEventListener("input", (event) => event.target.id !== "file" && update());
         $(form).addEventListener("submit", (event) => event.preventDefault());
+        // A slider that keys move makes one step until it is left.
+        $(form).addEventListener("change", ({ target }) => steps.take(["range", "number"].includes(target.type) ? target : null));
+        for (const end of ["pointerdown", "focusout"]) $(form).addEventListener(end, () => (steps.held = null));
     }
     const tabs = ["stipple", "sample"];
     for (const one of tabs) {
-        $(`tab-${one}`).addEventListener("click", () => select(one));
+        $(`tab-${one}`).addEventListener("click", () => (select(one), steps.take()));
         $(`tab-${one}`).addEventListener("keydown", (event) => {
             if (!["ArrowLeft", "ArrowRight"].includes(event.key)) return;
             const other = tabs[1 - tabs.indexOf(one)];
             select(other);
+            steps.take();
             $(`tab-${other}`).focus();
         });
     }
@@ -420,8 +503,14 @@ function listen() {
     $("zoom-out").addEventListener("click", () => view.zoomBy(1 / 1.5));
     $("zoom-all").addEventListener("click", () => (view.reset(), view.onZoom(1)));
     $("cancel").addEventListener("click", () => engine.cancel());
-    document.addEventListener("keydown", (event) => event.key === "Escape" && engine?.cancel());
-    $("reset").addEventListener("click", () => recall(new URLSearchParams()));
+    document.addEventListener("keydown", onKey);
+    $("undo").addEventListener("click", () => steps.undo());
+    $("redo").addEventListener("click", () => steps.redo());
+    $("reset").addEventListener("click", () => (recall(kind === "sample" ? "kind=sample" : ""), steps.take()));
+    addEventListener("hashchange", () => (recall(location.hash.slice(1)), steps.take()));
+    $("turn-right").addEventListener("click", turn);
+    $("crop").addEventListener("click", () => (cropper.picture ? endCrop() : beginCrop()));
+    $("whole").addEventListener("click", () => (setCrop(0, [0, 0, 0, 0]), endCrop(), view.reset(), update(), steps.take()));
     $("format").addEventListener("change", async () => {
         try {
             await showCommand(optionsNow());
@@ -449,12 +538,15 @@ async function start() {
         const [module, response] = await Promise.all([compiled(), fetch("raccoon.png")]);
         engine = new Engine(module, (share) => ($("progress").value = share));
         engine.forgotten = () => ((sent = null), (held = ""));
-        if (picture) schedule(); // given by the user meanwhile
+        if (whole) schedule(); // given by the user meanwhile
         else {
-            const all = new URLSearchParams(location.hash.slice(1));
-            recall(all);
+            const text = location.hash.slice(1), all = new URLSearchParams(text);
+            recall(text);
+            keepsCrop = true; // both of the raccoon and of the picture that is given next
             await take(await response.blob(), "raccoon.png");
+            keepsCrop = [...all.keys()].some((name) => /^(turn|crop-)/.test(name));
             if (all.get("kind") === "sample") select("sample");
+            steps.begin();
         }
     } catch (error) {
         complain(error);

@@ -48,6 +48,9 @@ function verbsOf(lacuna) {
         return {
             points: doubles(lacuna._lacuna_points(), 2 * count),
             diameters: doubles(lacuna._lacuna_diameters(), count),
+            ellipses: doubles(lacuna._lacuna_ellipses(), 3 * count),
+            areStrokes: Boolean(lacuna._lacuna_are_strokes()),
+            lineWidth: lacuna._lacuna_line_width(),
             layers: written(lacuna._lacuna_layers()),
             paper: written(lacuna._lacuna_paper()),
             paperColour: lacuna._lacuna_paper_colour(),

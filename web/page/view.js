@@ -55,18 +55,65 @@ export function layersOf(set) {
 // Red, green and blue of 0xrrggbb, 0 to 1.
 export const lightOf = (colour) => [16, 8, 0].map((shift) => ((colour >> shift) & 255) / 255);
 
+const MM_OF_PAGE = (512 / 72) * 25.4; // the longer side without paper: 512 pt
+const mmPerUnit = (set, page) => page.mm ?? MM_OF_PAGE / Math.max(set.width, set.height);
+
+// The width of a layer's line, in the domain's unit: its pen's, if it has one.
+export const lineWidthOf = (set, page, pen) => (pen ? pen / mmPerUnit(set, page) : set.lineWidth);
+
+// The radii and the angle of a dot's ellipse, as drawn. A stroke is 2 a long and 2 b wide.
+export function ovalOf(set, i) {
+    const [a, b, angle] = set.ellipses.subarray(3 * i, 3 * i + 3);
+    const r = diameterOf(set, i) / 2;
+    return set.areStrokes ? { a, b, angle } : { a: r * Math.sqrt(a / b), b: r * Math.sqrt(b / a), angle };
+}
+
+// Sets `bare` to the share of paper that a layer's ellipses, strokes or line leave, by the browser's drawing.
+function drawMarks(bare, { first, dots, pen }, set, page, place, scale, width, height) {
+    const AT_ONCE = 500; // marks in a path: one of all marks takes long
+    const context = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d", { willReadFrequently: true });
+    context.lineCap = context.lineJoin = "round";
+    if (set.lineWidth) context.lineWidth = lineWidthOf(set, page, pen) * scale;
+    for (let begin = first; begin < first + dots; begin += AT_ONCE) {
+        context.beginPath();
+        for (let i = begin; i < Math.min(begin + AT_ONCE + (set.lineWidth ? 1 : 0), first + dots); ++i) {
+            const [x, y] = place(i);
+            if (set.lineWidth) {
+                context.lineTo(x, y);
+                continue;
+            }
+            const { a, b, angle } = ovalOf(set, i), away = set.areStrokes ? a - b : a;
+            const dx = away * scale * Math.cos(angle), dy = -away * scale * Math.sin(angle);
+            context.moveTo(x + dx, y + dy);
+            if (set.areStrokes) context.lineTo(x - dx, y - dy);
+            else context.ellipse(x, y, a * scale, b * scale, -angle, 0, 2 * Math.PI);
+            context.lineWidth = 2 * b * scale;
+        }
+        if (set.lineWidth || set.areStrokes) context.stroke();
+        else context.fill();
+    }
+    const { data } = context.getImageData(0, 0, width, height);
+    for (let i = 0; i < bare.length; ++i) bare[i] = 1 - data[4 * i + 3] / 255;
+}
+
 // Fills an ImageData with dots; `scale`: pixels per unit; (x, y): the page's upper left corner.
+// Layers whose index is in `hidden` are left out.
 // Transparent inks multiply what lies under them, and opaque ones cover it, in linear light: from
 // afar the screen is as bright as the paper would be.
-export function drawDots(image, set, page, scale, x, y) {
+export function drawDots(image, set, page, scale, x, y, hidden = new Set()) {
     const { width, height, data } = image;
+    const place = (i) => [x + (page.left + set.points[2 * i]) * scale,
+        y + (page.height - page.bottom - set.points[2 * i + 1]) * scale];
     const bare = new Float32Array(width * height);
     const lights = lightOf(set.paperColour).map((paper) => new Float32Array(width * height).fill(lightAt(paper)));
-    for (const { first, dots, colour, opaque } of layersOf(set)) {
-        bare.fill(1);
-        for (let i = first; i < first + dots; ++i) {
-            const px = x + (page.left + set.points[2 * i]) * scale;
-            const py = y + (page.height - page.bottom - set.points[2 * i + 1]) * scale;
+    for (const [index, layer] of layersOf(set).entries()) {
+        if (hidden.has(index)) continue;
+        const { first, dots, colour, opaque } = layer;
+        const isDrawn = set.lineWidth || set.ellipses;
+        if (isDrawn) drawMarks(bare, layer, set, page, place, scale, width, height);
+        else bare.fill(1);
+        for (let i = first; i < first + dots && !isDrawn; ++i) {
+            const [px, py] = place(i);
             const r = (diameterOf(set, i) / 2) * scale;
             if (px > -r - 1 && py > -r - 1 && px < width + r + 1 && py < height + r + 1)
                 splat(bare, width, height, px, py, r);
@@ -94,6 +141,7 @@ export class View {
         this.page = null;
         this.picture = null; // drawn over the left part; `share` is that part's width, 0 to 1
         this.share = 0;
+        this.hidden = new Set(); // the indices of layers that are not drawn
         this.reset();
         this.pointers = new Map();
         new ResizeObserver(() => this.draw()).observe(canvas);
@@ -141,7 +189,7 @@ export class View {
         const context = canvas.getContext("2d");
         const { scale, x, y } = this.place();
         const image = context.createImageData(canvas.width, canvas.height);
-        drawDots(image, set, page, scale, x, y);
+        drawDots(image, set, page, scale, x, y, this.hidden);
         context.putImageData(image, 0, 0);
         if (!this.picture || this.share <= 0) return;
         const left = x + page.left * scale, top = y + (page.height - page.bottom - set.height) * scale;

@@ -1,71 +1,18 @@
 """Tests in a browser that the page keeps its promises."""
 
 import base64
-import hashlib
-import pathlib
 import re
-import shlex
 import struct
-import subprocess
-import tempfile
 import time
 import unittest
 import zlib
 
 from selenium.webdriver.common.keys import Keys
 
-from browser import LACUNA, ROOT, Browser
-
-RACCOON = (ROOT / "examples" / "raccoon.png").read_bytes()
+from page_case import RACCOON, PageCase, png
 
 
-def png(columns, rows, channels, pixel):
-    """The bytes of a PNG whose sample is pixel(column, row, channel)."""
-    def chunk(kind, data):
-        body = kind + data
-        return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))
-    lines = b"".join(b"\0" + bytes(pixel(x, y, c) for x in range(columns) for c in range(channels))
-                     for y in range(rows))
-    colour = {1: 0, 3: 2, 4: 6}[channels]
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", columns, rows, 8, colour, 0, 0, 0))
-            + chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b""))
-
-
-class PageTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = Browser()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.close()
-
-    def setUp(self):
-        self.browser.open()
-        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
-
-    def tearDown(self):
-        page = self.browser
-        self.assertEqual(page.complaints(), [])
-        outside = [url for url in page.requests() if not url.startswith((page.address, "blob:", "data:"))]
-        self.assertEqual(outside, [])
-
-    def given(self, name, content=RACCOON):
-        """Drops a picture onto the page, and writes it to the folder where the command runs."""
-        (self.folder / name).write_bytes(content)
-        self.browser.after(lambda: self.browser.drop(name, content))
-
-    def assert_the_commands_bytes(self, kind):
-        """Checks that the file saved is the file that the command shown on the page makes."""
-        name, saved = self.browser.download(kind)
-        command = shlex.split(self.browser.text("command"))
-        self.assertEqual(command[0], "lacuna")
-        self.assertEqual(command[-2:], ["-o", name])
-        subprocess.run([LACUNA, *command[1:], "--quiet"], cwd=self.folder, check=True)
-        made = (self.folder / name).read_bytes()
-        self.assertEqual(hashlib.sha256(saved).hexdigest(), hashlib.sha256(made).hexdigest(),
-                         f"{shlex.join(command)}: {len(saved)} bytes from the page, {len(made)} from the command")
-
+class PageTest(PageCase):
     # ------------------------------------------------------------------------------------ stipple
 
     def test_a_first_picture_is_there_before_anything_is_chosen(self):
@@ -83,21 +30,7 @@ class PageTest(unittest.TestCase):
         self.given("grey.png", png(60, 60, 1, lambda x, y, c: 128))
         for count in ("3000", "20000", "100000"):
             page.after(lambda: page.set("count", count))
-            light = page.run("""const view = document.getElementById('view');
-                const copy = document.createElement('canvas');
-                [copy.width, copy.height] = [view.width, view.height];
-                const context = copy.getContext('2d', { willReadFrequently: true });
-                context.drawImage(view, 0, 0);
-                const data = context.getImageData(0, 0, copy.width, copy.height).data;
-                let all = 0, light = 0;
-                for (let i = 0; i < data.length; i += 4) {
-                    if (data[i + 3] !== 255) continue;
-                    const number = data[i] / 255;
-                    light += number <= 0.04045 ? number / 12.92 : ((number + 0.055) / 1.055) ** 2.4;
-                    ++all;
-                }
-                return light / all;""")
-            self.assertAlmostEqual(light, 0.216, delta=0.03, msg=count)
+            self.assertAlmostEqual(self.light(), 0.216, delta=0.03, msg=count)
 
     def test_a_dropped_photograph_gives_the_bytes_of_the_command(self):
         page = self.browser
@@ -274,12 +207,6 @@ class PageTest(unittest.TestCase):
         self.assertEqual(document[start:start + 4], b"xref")
 
     # ------------------------------------------------------------------------- what can go wrong
-
-    def refused(self, change):
-        self.browser.after(change, "failed")
-        error = self.browser.element("error")
-        self.assertTrue(error.is_displayed())
-        return error.text
 
     def test_a_broken_picture_is_refused_in_a_line(self):
         page = self.browser
