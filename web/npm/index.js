@@ -1,20 +1,7 @@
-// The functions of the npm package. web/CMakeLists.txt puts lacuna.js and calls.js before them.
-const self = globalThis.self ?? { location: { href: "" } }; // lacuna.js looks where a worker lies
-
-const file = new URL("lacuna.wasm", import.meta.url);
-const wasm =
-    file.protocol === "file:"
-        ? (await import(/* webpackIgnore: true */ /* @vite-ignore */ "node:fs")).readFileSync(file)
-        : await (await fetch(file)).arrayBuffer();
-const verbs = verbsOf(
-    await createLacuna({
-        instantiateWasm(imports, done) {
-            WebAssembly.instantiate(wasm, imports).then(({ instance }) => done(instance));
-            return {};
-        },
-        tell() {},
-    }),
-);
+// The functions of the npm package. web/CMakeLists.txt puts begin.js, lacuna.js and calls.js before
+// them.
+await begun;
+const verbs = verbsOf(Module);
 
 // { sizeByTone: 0.5, invert: true } is --size-by-tone 0.5 --invert.
 function make(command, options) {

@@ -1,17 +1,16 @@
 // The page: turns its controls into requests, and shows and saves the results.
 import { Cancelled, Engine } from "./engine.js";
+import { asPdf, asPng, drawn, save } from "./files.js";
 import { hasBlack, InkList } from "./inks.js";
-import { pdfOf } from "./pdf.js";
 import { changed, Cropper, readPicture } from "./picture.js";
 import { setFields, settings, Steps } from "./settings.js";
-import { diameterOf, drawDots, drawSpectrum, layersOf, lineWidthOf, ovalOf, pageOf, radialPath, View } from "./view.js";
+import { drawSpectrum, pageOf, radialPath, View } from "./view.js";
 
 const $ = (id) => document.getElementById(id);
 const MOST_FOR_SPECTRUM = 100000; // points; the spectrum of more would take too long
 const FREQUENCIES = 1.5; // largest frequency of the spectrum, in units of sqrt(count)
 const QUICK_RELAX = 2; // iterations of the preview
-const POINTS_PER_INCH = 72, MM_PER_INCH = 25.4, PAGE_POINTS = 512;
-const SIDES = ["left", "right", "top", "bottom"];
+const SIDES = ["left", "right", "top", "bottom"], WHOLE = { left: 0, right: 0, top: 0, bottom: 0 };
 const state = document.documentElement.dataset;
 
 let kind = "stipple";
@@ -41,11 +40,8 @@ const inkList = new InkList($("ink-list"), inkText, (text) => {
 }, showEyes);
 
 const cropper = new Cropper($("cropper"), (cut) => {
-    SIDES.forEach((side) => ($(`crop-${side}`).value = cut[side]));
-    endCrop();
-    view.reset();
-    update();
-    steps.take();
+    setCrop(turnsNow(), cut);
+    changePicture();
 });
 
 const steps = new Steps(() => settings(kind), recall, ({ canUndo, canRedo }) => {
@@ -99,6 +95,7 @@ function remember() {
 
 function recall(text) {
     const all = new URLSearchParams(text);
+    endCrop();
     setFields(all);
     for (const id of ["count-slider", "amount-slider"]) $(id).dispatchEvent(new Event("place"));
     update();
@@ -253,11 +250,17 @@ async function judge(set, o, isOld) {
 }
 
 // --- pictures
+const turnsNow = () => Number($("turn").value) / 90;
+const cutNow = () => Object.fromEntries(SIDES.map((side) => [side, Number($(`crop-${side}`).value)]));
+
+function setCrop(turns, cut) {
+    $("turn").value = String(90 * turns);
+    SIDES.forEach((side) => ($(`crop-${side}`).value = cut[side]));
+}
+
 // Turns and crops the picture, if it is not as the settings say.
 function prepare() {
-    const turns = Number($("turn").value) / 90;
-    const cut = Object.fromEntries(SIDES.map((side) => [side, Number($(`crop-${side}`).value)]));
-    const key = JSON.stringify([turns, cut]);
+    const turns = turnsNow(), cut = cutNow(), key = JSON.stringify([turns, cut]);
     if (picture?.whole === whole && picture.key === key) return;
     picture = { ...changed(whole, turns, cut), whole, key, number: ++pictures };
     const changes = [picture.isSmaller && "made smaller", picture.changes].filter(Boolean).join(", ");
@@ -267,15 +270,16 @@ function prepare() {
     view.picture = picture.canvas;
 }
 
-function setCrop(turns, cuts) {
-    $("turn").value = String(90 * turns);
-    SIDES.forEach((side, i) => ($(`crop-${side}`).value = cuts[i]));
-}
-
 // The crop stays on the same part.
 function turn() {
-    const [left, right, top, bottom] = SIDES.map((side) => $(`crop-${side}`).value);
-    setCrop((Number($("turn").value) / 90 + 1) % 4, [bottom, top, left, right]);
+    const { left, right, top, bottom } = cutNow();
+    setCrop((turnsNow() + 1) % 4, { left: bottom, right: top, top: left, bottom: right });
+    changePicture();
+}
+
+// After the picture has been turned or cropped.
+function changePicture() {
+    endCrop();
     view.reset();
     update();
     steps.take();
@@ -283,9 +287,7 @@ function turn() {
 
 function beginCrop() {
     if (!whole) return;
-    const none = { left: 0, right: 0, top: 0, bottom: 0 };
-    const cut = Object.fromEntries(SIDES.map((side) => [side, Number($(`crop-${side}`).value)]));
-    cropper.open(changed(whole, Number($("turn").value) / 90, none), cut);
+    cropper.open(changed(whole, turnsNow(), WHOLE), cutNow());
     $("crop").setAttribute("aria-pressed", true);
     say("Drag over the part to keep. Escape leaves it as it was.");
 }
@@ -301,7 +303,7 @@ async function take(blob, name) {
     } catch (error) {
         return complain(error);
     }
-    if (!keepsCrop) setCrop(0, [0, 0, 0, 0]);
+    if (!keepsCrop) setCrop(0, WHOLE);
     keepsCrop = false;
     endCrop();
     $("picture-name").textContent = whole.name;
@@ -324,42 +326,6 @@ async function takeExample(name, inks) {
 }
 
 // --- saving
-function save(blob, name) {
-    const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
-}
-
-const asPng = (canvas) => new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
-
-function drawn({ set, page }) {
-    const scale = 2048 / Math.max(page.width, page.height);
-    const canvas = Object.assign(document.createElement("canvas"),
-        { width: Math.max(1, Math.round(page.width * scale)), height: Math.max(1, Math.round(page.height * scale)) });
-    const context = canvas.getContext("2d");
-    const image = context.createImageData(canvas.width, canvas.height);
-    drawDots(image, set, page, scale, 0, 0);
-    for (let i = 3; i < image.data.length; i += 4) image.data[i] = 255;
-    context.putImageData(image, 0, 0);
-    return asPng(canvas);
-}
-
-function asPdf({ set, page }) {
-    const scale = page.mm ? (page.mm / MM_PER_INCH) * POINTS_PER_INCH : PAGE_POINTS / Math.max(set.width, set.height);
-    const dot = (i) => {
-        const one = { x: (page.left + set.points[2 * i]) * scale, y: (page.bottom + set.points[2 * i + 1]) * scale,
-            diameter: diameterOf(set, i) * scale };
-        if (!set.ellipses) return one;
-        const { a, b, angle } = ovalOf(set, i), x = Math.cos(angle) * scale, y = Math.sin(angle) * scale;
-        return set.areStrokes ? { ...one, diameter: 2 * b * scale, dx: (a - b) * x, dy: (a - b) * y }
-            : { ...one, ax: a * x, ay: a * y, bx: -b * y, by: b * x };
-    };
-    const layers = layersOf(set).map(({ first, dots, colour, opaque, pen }) => ({ colour, opaque,
-        line: set.lineWidth && lineWidthOf(set, page, pen) * scale,
-        dots: Array.from({ length: dots }, (_, i) => dot(first + i)) }));
-    return pdfOf({ width: page.width * scale, height: page.height * scale, colour: set.paperColour }, layers);
-}
-
 async function download() {
     const format = $("format").value;
     try {
@@ -510,7 +476,7 @@ function listen() {
     addEventListener("hashchange", () => (recall(location.hash.slice(1)), steps.take()));
     $("turn-right").addEventListener("click", turn);
     $("crop").addEventListener("click", () => (cropper.picture ? endCrop() : beginCrop()));
-    $("whole").addEventListener("click", () => (setCrop(0, [0, 0, 0, 0]), endCrop(), view.reset(), update(), steps.take()));
+    $("whole").addEventListener("click", () => (setCrop(0, WHOLE), changePicture()));
     $("format").addEventListener("change", async () => {
         try {
             await showCommand(optionsNow());

@@ -1,6 +1,6 @@
 // Runs Lacuna for the page: takes one request at a time and sends its progress and its result.
 "use strict";
-importScripts("lacuna.js", "calls.js");
+importScripts("calls.js");
 
 let verbs = null;
 let current = 0; // the id of the current request
@@ -11,10 +11,15 @@ const started = new Promise((resolve) => {
         self.removeEventListener("message", first);
         // Requests may come before the module is ready.
         self.addEventListener("message", (event) => started.then(() => serve(event.data)));
-        createLacuna({
+        self.Module = {
             instantiateWasm(imports, done) {
                 WebAssembly.instantiate(data.module, imports).then((instance) => done(instance));
                 return {};
+            },
+            onRuntimeInitialized() {
+                verbs = verbsOf(self.Module);
+                resolve();
+                postMessage({ ready: true });
             },
             tell(share) {
                 const now = performance.now();
@@ -22,11 +27,8 @@ const started = new Promise((resolve) => {
                 told = now;
                 postMessage({ id: current, share });
             },
-        }).then((made) => {
-            verbs = verbsOf(made);
-            resolve();
-            postMessage({ ready: true });
-        });
+        };
+        importScripts("lacuna.js");
     });
 });
 
