@@ -8,6 +8,7 @@ import { drawSpectrum, pageOf, radialPath, View } from "./view.js";
 
 const $ = (id) => document.getElementById(id);
 const MOST_FOR_SPECTRUM = 100000; // points; the spectrum of more would take too long
+const CROP_HINT = "Drag over the part to keep. Crop … once more, or Escape, leaves it as it was.";
 const FREQUENCIES = 1.5; // largest frequency of the spectrum, in units of sqrt(count)
 const QUICK_RELAX = 2; // iterations of the preview
 const SIDES = ["left", "right", "top", "bottom"], WHOLE = { left: 0, right: 0, top: 0, bottom: 0 };
@@ -17,6 +18,7 @@ let kind = "stipple";
 let whole = null; // the picture as it was read: see picture.js
 let picture = null; // the same, turned and cropped
 let pictures = 0;
+let said = ""; // before CROP_HINT
 let keepsCrop = false; // whether the next picture is cropped as the link says
 let sent = null; // the picture that the worker has
 let held = ""; // the key of the set that the worker has
@@ -289,10 +291,12 @@ function beginCrop() {
     if (!whole) return;
     cropper.open(changed(whole, turnsNow(), WHOLE), cutNow());
     $("crop").setAttribute("aria-pressed", true);
-    say("Drag over the part to keep. Escape leaves it as it was.");
+    said = $("status").textContent;
+    say(CROP_HINT);
 }
 
 function endCrop() {
+    if ($("status").textContent === CROP_HINT) say(said);
     cropper.close();
     $("crop").setAttribute("aria-pressed", false);
 }

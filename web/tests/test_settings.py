@@ -229,12 +229,14 @@ class SettingsTest(PageCase):
     def test_a_part_is_dragged_on_the_picture(self):
         page = self.browser
         self.given("art.png", png(60, 60, 1, lambda x, y, c: self.shade(x, y)))
-        first, dots = self.command(), page.looks()
-        page.element("crop").click()
-        self.assertTrue(page.element("cropper").is_displayed())
-        self.pressed(Keys.ESCAPE)
-        self.assertFalse(page.element("cropper").is_displayed())
-        self.assertEqual((self.command(), page.looks()), (first, dots))
+        first, dots, status = self.command(), page.looks(), page.text("status")
+        for leave in (lambda: self.pressed(Keys.ESCAPE), page.element("crop").click):
+            page.element("crop").click()
+            self.assertTrue(page.element("cropper").is_displayed())
+            self.assertIn("Drag over the part", page.text("status"))
+            leave()
+            self.assertFalse(page.element("cropper").is_displayed())
+            self.assertEqual((self.command(), page.looks(), page.text("status")), (first, dots, status))
         page.element("crop").click()
         cropper = page.element("cropper")
         side = min(cropper.size["width"], cropper.size["height"])
