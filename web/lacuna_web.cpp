@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -96,6 +97,7 @@ Set set_of(const Request& request, Result result) {
 struct Asked {
     StippleOptions stipple;  // of sample, the request alone
     recipes::Given given;    // of sample
+    std::string mask;        // of sample: the name of the picture, if that is its mask
 };
 
 // Throws BadRequest for what the command or this module does not have, which read() leaves out.
@@ -122,7 +124,8 @@ Asked asked_by(recipes::CommandLine& line) {
     if (line.command == recipes::kStipple) {
         targets = recipes::targets_of(asked.stipple);
     } else {
-        targets = {{"mode", &asked.given.mode}, {"relax", &asked.given.relax}};
+        targets = {
+            {"mode", &asked.given.mode}, {"relax", &asked.given.relax}, {"mask", &asked.mask}};
         targets.merge(recipes::targets_of(asked.stipple.request));
     }
     check_names(line, targets);
@@ -161,12 +164,28 @@ Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tel
     return set;
 }
 
-Set sample(const recipes::Given& given, Request request, const Tell& tell) {
-    const std::uint32_t relax = recipes::relax_of(given);
-    recipes::settle(given, request);
+// Where samples may lie: as decode_mask() reads a picture file.
+Mask mask_of(const Pixels& pixels) {
+    const pictures::Image image = image_of(pixels, pictures::kLuminance, pictures::Backdrop::black);
+    Mask mask{image.columns, image.rows, {}};
+    for (const auto luminance : image.luminance) mask.allowed.push_back(luminance == 0 ? 0 : 1);
+    return mask;
+}
+
+Set sample(const Pixels& pixels, const Asked& asked, const Tell& tell) {
+    Request request = asked.stipple.request;
+    std::optional<Mask> mask;
+    if (!asked.mask.empty()) {
+        mask = mask_of(pixels);
+        request.mask = &*mask;
+        request.domain = domain_like(mask->columns, mask->rows, request.domain.boundary);
+    }
+    const std::uint32_t relax = recipes::relax_of(asked.given);
+    recipes::settle(asked.given, request);
     Teller teller(tell, relax);
     Set set = set_of(request, recipes::make(request, {.iterations = relax}, teller).result);
     if (relax != 0) set.radius = 0;  // dots are drawn as large as their number lets them be
+    set.mask = std::move(mask);
     return set;
 }
 
@@ -180,7 +199,7 @@ std::string command_of(recipes::CommandLine line) {
 Set make(const Pixels& pixels, recipes::CommandLine line, const Tell& tell) {
     const Asked asked = asked_by(line);
     Set set = line.command == recipes::kStipple ? stipple(pixels, asked.stipple, tell)
-                                                : sample(asked.given, asked.stipple.request, tell);
+                                                : sample(pixels, asked, tell);
     set.command = line.text(set.seed);
     return set;
 }
@@ -189,6 +208,7 @@ Proof prove(const Set& set, double radius) {
     Claim claim;
     claim.radius = radius;
     claim.domain = set.domain;
+    claim.mask = set.mask ? &*set.mask : nullptr;
     return lacuna::prove(set.points, claim);
 }
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct Set {
     std::vector<double> diameters;     // empty: the same for all dots, from the radius
     std::vector<Ellipse> ellipses;     // of --along: ellipses or strokes; or empty
     drawing::Style style;              // without the diameters
+    std::optional<Mask> mask;          // where points may lie
     std::string plot;                  // how long a pen's path and a plot are, in words; or empty
     bool has_columns = false;  // whether csv and npy have columns for dots (pen or paper given)
     std::string command;       // the command line that makes the same set
@@ -47,8 +49,8 @@ struct Set {
 // and options that exclude or need each other.
 std::string command_of(recipes::CommandLine line);
 
-// The set of the command line: dots of the picture for stipple, which sample does not use. Throws
-// what command_of, lacuna::stipple, lacuna::sample and lacuna::relax throw.
+// The set of the command line: dots of the picture for stipple; for sample the picture is the mask,
+// if one is given. Throws what command_of, lacuna::stipple, lacuna::sample and lacuna::relax throw.
 Set make(const Pixels& pixels, recipes::CommandLine line, const Tell& tell);
 
 // Whether the points are at least the radius apart and leave no gap.

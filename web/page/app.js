@@ -54,6 +54,8 @@ const steps = new Steps(() => settings(kind), recall, ({ canUndo, canRedo }) => 
 // --- requests
 class Refused extends Error {}
 
+const usesPicture = () => kind === "stipple" || $("mask").checked;
+
 const controls = () => [...$(`controls-${kind}`).querySelectorAll("[data-option]")];
 
 // The text of a control's option. Paper that lies as the user says is given by its sides.
@@ -66,7 +68,7 @@ function textOf(control) {
 
 // The options that the controls give, as [name, text]. See index.html.
 function optionsNow() {
-    if (kind === "stipple") prepare();
+    if (usesPicture()) prepare();
     const options = kind === "stipple" ? [["IMAGE", picture.commandName]] : [];
     for (const control of controls()) {
         const { option, usual, unit = "", flag } = control.dataset;
@@ -74,7 +76,7 @@ function optionsNow() {
         const isBox = control.type === "checkbox", isFlag = isBox || flag, text = textOf(control);
         if (isBox ? !control.checked : flag ? text !== flag : text === usual) continue;
         if (text === "") throw new Refused(`${option} empty: must have a value`);
-        options.push([option, isFlag ? "" : text + unit]);
+        options.push([option, control.id === "mask" ? picture.commandName : isFlag ? "" : text + unit]);
     }
     return options;
 }
@@ -85,7 +87,7 @@ const relaxOf = (o) => has(o, "along") ? 0 : Number(o.find(([name]) => name === 
 // The same set, placed roughly.
 const quick = (o) => [...o.filter(([name]) => name !== "relax" && name !== "pen-path"), ["relax", String(QUICK_RELAX)]];
 const formOf = (o) => [kind, ...o.flat()].map((text) => `${text}\n`).join("");
-const keyOf = (o) => JSON.stringify([kind, kind === "stipple" && picture.number, o]);
+const keyOf = (o) => JSON.stringify([kind, usesPicture() && picture.number, o]);
 const baseName = () => (kind === "stipple" ? picture.name.replace(/\.[^.]*$/, "") || "dots" : "points");
 const grouped = (n) => n.toLocaleString("en");
 
@@ -135,14 +137,14 @@ async function showCommand(o) {
         [Object.assign(document.createElement("span"), { textContent: word }), " "]).slice(0, -1));
     const note = ["png", "pdf"].includes(format)
         ? "The same dots; this file is drawn by the browser, so its bytes differ." : "The same bytes.";
-    $("command-note").textContent = kind === "sample" || picture.isExact ? note
-        : `${note} ${picture.commandName} is the picture as it was ${picture.changes || "read"} here: save it, under Picture.`;
+    $("command-note").textContent = !usesPicture() || picture.isExact ? note
+        : `${note} ${picture.commandName} is the picture as it was ${picture.changes || "read"} here: save it, under ${kind === "sample" ? "Stipple" : "Picture"}.`;
 }
 
 // --- making of sets
 async function make(o, isFinal) {
     held = "";
-    if (kind === "stipple" && sent !== picture) {
+    if (usesPicture() && sent !== picture) {
         sent = picture;
         await engine.ask("picture", { columns: picture.columns, rows: picture.rows, rgba: picture.rgba });
     }
@@ -222,7 +224,7 @@ async function run() {
 function schedule() {
     clearTimeout(timer);
     timer = setTimeout(() => {
-        if (!engine || (kind === "stipple" && !whole)) return;
+        if (!engine || (usesPicture() && !whole)) return;
         if (isQuick && engine.isBusy) isWaiting = true;
         else run();
     }, 40);
@@ -240,10 +242,10 @@ async function judge(set, o, isOld) {
             (proof.covered ? "✓ No room is left for one more point." : has(o, "count") ? "There is room for more points, because their number was given."
                 : `✗ There is room for more points: a spot is ${short(proof.largestGap)} from every point.`);
     }
-    const isSmall = set.points.length / 2 <= MOST_FOR_SPECTRUM;
+    const isSmall = set.points.length / 2 <= MOST_FOR_SPECTRUM && !has(o, "mask");
     $("spectrum").classList.toggle("none", !isSmall);
     $("spectrum").querySelector("figcaption").textContent = isSmall ? "Power by frequency: random points have 1 everywhere."
-        : `The spectrum is shown for up to ${grouped(MOST_FOR_SPECTRUM)} points.`;
+        : `The spectrum is shown for up to ${grouped(MOST_FOR_SPECTRUM)} points, and without a mask.`;
     if (!isSmall) return;
     const spectrum = await engine.ask("spectrum", { most: FREQUENCIES });
     if (isOld()) return;
@@ -409,6 +411,7 @@ function update() {
     hadLightInks = isLight;
     $("ink-kind").dataset.option = $("ink-kind").value === "own" ? "" : "inks";
     hide(".black-ink-row", isAlong || paper.value !== "#ffffff" || !hasBlack(inkText()));
+    $("sample-relax").disabled = $("mask").checked; // relaxed points leave a mask
     $("amount").dataset.option = $("by").value;
     $("amount-label").textContent = $("by").value === "radius" ? "Radius" : "Number";
     $("metric-row").hidden = isAlong || $("ink-kind").value !== "";

@@ -314,6 +314,32 @@ class SettingsTest(PageCase):
         _, picture = page.download("png")
         self.assertEqual(struct.unpack(">II", picture[16:24]), (2048, 1536))
 
+    # ------------------------------------------------------------------------------------------- mask
+
+    def test_a_sample_lies_where_the_picture_is_not_black(self):
+        page = self.browser
+        is_in = lambda x, y: (x - 29.5) ** 2 + (y - 19.5) ** 2 < 300
+        self.given("disk.png", png(60, 40, 1, lambda x, y, c: 200 if is_in(x, y) else 0))
+        self.clicked("tab-sample")
+        page.after(lambda: (page.set("sample-relax", 4), page.set("mask", True)))
+        self.assertIn("--mask disk.png", self.command())
+        self.assertNotIn("--relax", self.command())
+        self.assertIn("✓ No two points are closer", page.text("verdict"))
+        self.assertIn("✓ No room is left", page.text("verdict"))
+        self.assertFalse(page.element("powers").is_displayed())
+        self.assertIn("without a mask", page.text("spectrum"))
+        for change in ({}, {"torus": False, "sample-seed": 5}, {"by": "count", "amount": "300"}):
+            page.after(lambda: [page.set(name, value) for name, value in {"mask": True, **change}.items()])
+            for kind in ("npy", "csv", "svg"):
+                with self.subTest(change, kind=kind):
+                    self.assert_the_commands_bytes(kind)
+        _, rows = page.download("csv")
+        points = [tuple(map(float, row.split(",")[:2])) for row in rows.decode().splitlines() if row[:1].isdigit()]
+        self.assertEqual(len(points), 300)
+        self.assertTrue(all(is_in(int(60 * x), 39 - int(60 * y)) for x, y in points))
+        page.after(lambda: page.run("location.reload()"))
+        self.assertIn("--mask raccoon.png", self.command())
+
     # ------------------------------------------------------------------------------------------ names
 
     def test_no_two_controls_that_are_seen_have_the_same_name(self):
