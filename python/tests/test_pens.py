@@ -89,7 +89,7 @@ def test_dots_of_the_next_picture_begin_where_those_of_the_last_lie() -> None:
     again = lacuna.stipple(x + 1, 200, start=first.points)
     assert again.points.tobytes() == second.points.tobytes()
     for argument, wrong in (
-        ("count", {"n": 199}), ("frames", {"relax": 0}), ("frames", {"inks": "red"}),
+        ("^n 199", {"n": 199}), ("frames", {"relax": 0}), ("frames", {"inks": "red"}),
         ("start", {"start": np.zeros((0, 2))}), ("point", {"start": [[0.5, 2.0]]}),
     ):  # fmt: skip
         with pytest.raises(lacuna.BadRequest, match=argument):
