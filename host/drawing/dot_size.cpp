@@ -74,14 +74,18 @@ double in_steps(double size) {
 
 }  // namespace
 
-double importance_at(Point point, const Field& field, const Domain& domain) {
+std::size_t index_at(Point point, const Field& field, const Domain& domain) {
     const Point way = domain.from_corner(point);
     const std::size_t row = field.rows - 1 - pixel_of(way.y, domain.height, field.rows);
-    return field.importance[row * field.columns + pixel_of(way.x, domain.width, field.columns)];
+    return row * field.columns + pixel_of(way.x, domain.width, field.columns);
+}
+
+double importance_at(Point point, const Field& field, const Domain& domain) {
+    return field.importance[index_at(point, field, domain)];
 }
 
 bool Sizing::varies() const {
-    return by_tone != 0 || is_line || are_strokes ||
+    return by_tone != 0 || is_line || are_strokes || !shares.empty() ||
            (pens && (fills_overlaps || pens->least_mm != pens->most_mm));
 }
 
@@ -115,6 +119,7 @@ Field density_of(const Field& field, const Sizing& sizing) {
     for_each_polled(density.importance.size(), ask, [&](std::size_t i) {
         double& one = density.importance[i];
         if (one > 0) one /= sizing.area_at(one);
+        if (!sizing.shares.empty()) one /= sizing.shares[i];
         if (sizing.are_strokes) one /= std::sqrt(field.stretches[i].ratio);
     });
     return density;
@@ -130,8 +135,10 @@ std::vector<double> dot_diameters(std::span<const Point> points, const Field& fi
     diameters.reserve(points.size());
     for (const Point& point : points) {
         ask_after(4);
-        const double importance = importance_at(point, field, domain);
-        diameters.push_back(diameter * in_steps(std::sqrt(sizing.area_at(importance))) *
+        const std::size_t index = index_at(point, field, domain);
+        const double importance = field.importance[index];
+        const double share = sizing.shares.empty() ? 1 : sizing.shares[index];
+        diameters.push_back(diameter * in_steps(std::sqrt(sizing.area_at(importance) * share)) *
                             wider_at(importance, spread, sizing.solid_black));
     }
     return diameters;

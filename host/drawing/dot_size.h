@@ -33,6 +33,10 @@ struct Sizing {
     // Or dots are strokes of a pen along the field's stretches, as long as the root of their ratio.
     bool are_strokes = false;
 
+    // Of each pixel, or empty: how large a dot's area is there, as a share of what it is elsewhere.
+    // Dots are as much denser there.
+    std::span<const double> shares{};
+
     bool varies() const;
     // How many layers of ink a line or strokes need for an importance: more than it, because they
     // lie on themselves. Dots are wider instead.

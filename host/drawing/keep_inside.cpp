@@ -130,6 +130,48 @@ std::optional<Point> White::nearest(Point from, double reach) const {
     return best;
 }
 
+std::vector<double> widths_of(const White& white, double most) {
+    const Field& field = white.field;
+    const double step_x = white.domain.width / field.columns;
+    const double step_y = white.domain.height / field.rows;
+    const auto middle = [&](std::int64_t column, std::int64_t row) {
+        return Point{(static_cast<double>(column) + 0.5) * step_x,
+                     white.domain.height - (static_cast<double>(row) + 0.5) * step_y};
+    };
+    const std::int64_t columns = field.columns, rows = field.rows;
+    const auto index = [&](std::int64_t column, std::int64_t row) {
+        return static_cast<std::size_t>(row * columns + column);
+    };
+    std::vector<double> widths(field.importance.size());
+    std::vector<double> radii(widths.size());
+    for (std::int64_t row = 0; row < rows; ++row)
+        for (std::int64_t column = 0; column < columns; ++column) {
+            const std::size_t i = index(column, row);
+            if (field.importance[i] == 0) continue;
+            const std::optional<Near> near = nearest_white(white, middle(column, row), most / 2);
+            widths[i] = 2 * (radii[i] = near ? near->distance : most / 2);
+        }
+    // A disk that fits is as wide for every pixel that it reaches.
+    for (std::int64_t row = 0; row < rows; ++row)
+        for (std::int64_t column = 0; column < columns; ++column) {
+            const double radius = radii[index(column, row)];
+            const auto across = static_cast<std::int64_t>(radius / step_x);
+            const auto up = static_cast<std::int64_t>(radius / step_y);
+            ask_after(static_cast<std::size_t>((2 * across + 1) * (2 * up + 1)));
+            for (std::int64_t y = std::max<std::int64_t>(row - up, 0);
+                 y <= std::min(row + up, rows - 1); ++y)
+                for (std::int64_t x = std::max<std::int64_t>(column - across, 0);
+                     x <= std::min(column + across, columns - 1); ++x) {
+                    const double dx = static_cast<double>(x - column) * step_x;
+                    const double dy = static_cast<double>(y - row) * step_y;
+                    double& width = widths[index(x, y)];
+                    if (width > 0 && dx * dx + dy * dy <= radius * radius)
+                        width = std::max(width, 2 * radius);
+                }
+        }
+    return widths;
+}
+
 void pull_inside(std::span<Point> points, std::span<const double> diameters, const White& white) {
     Crowd crowd(points, diameters, white.domain);
     for (std::size_t dot = 0; dot < points.size(); ++dot)

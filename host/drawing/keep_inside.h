@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace lacuna::drawing {
 
@@ -18,6 +19,10 @@ struct White {
     // may lie outside of the picture, beside `from`.
     std::optional<Point> nearest(Point from, double reach) const;
 };
+
+// For each pixel the width of the ink there, at most `most`: the diameter of the largest disk off
+// white around a pixel's middle that reaches this pixel's middle. 0 on white.
+std::vector<double> widths_of(const White& white, double most);
 
 // Moves dots away from white until none touches it, each as far as its dot overhangs. Where a shape
 // is narrower than a dot, the dot comes near the middle of it. A dot stops before it comes nearer

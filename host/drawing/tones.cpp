@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -41,6 +42,7 @@ Sizing Tones::sizing_of(std::size_t k) const {
     Sizing one = sizing;
     const double pen_mm = has_inks() ? layers[k].ink.pen_mm : 0;
     if (pen_mm != 0) one.pens = Pens{pen_mm, pen_mm};
+    if (!shares.empty()) one.shares = shares[k];
     return one;
 }
 
@@ -185,6 +187,40 @@ double seconds_of(const Plotter& plotter, std::size_t dots, double path_mm) {
 void share_dots(Tones& tones, std::uint64_t dots) {
     const std::vector<std::uint64_t> shares = dots_by_ink(dots, tones.densities());
     for (std::size_t k = 0; k < shares.size(); ++k) tones.layers[k].dots = shares[k];
+}
+
+void suit_narrow_shapes(Tones& tones, const Domain& domain, std::uint64_t dots) {
+    constexpr double kLeastShare = 1.0 / 9;
+    constexpr double kMostPixels = 16;  // wider shapes are not narrow: dots fit into them
+    constexpr int kSteps = 8;
+    if (!tones.keep_inside || tones.sizing.is_line || tones.sizing.are_strokes) return;
+    const Field& all = tones.all();
+    const double most = kMostPixels * domain.width / all.columns;
+    const std::vector<double> widths = widths_of({all, domain}, most);
+    std::vector<std::vector<double>> shares(tones.fields.size());
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        const std::uint64_t its_dots = tones.has_inks() ? tones.layers[k].dots : dots;
+        shares[k].assign(widths.size(), 1);
+        if (tones.sizing_of(k).pens || its_dots == 0) continue;
+        // Dots elsewhere are the wider, the more dots narrow shapes have. So their width is found
+        // step by step.
+        for (int step = 0; step < kSteps; ++step) {
+            Sizing sizing = tones.sizing_of(k);
+            sizing.shares = shares[k];
+            const double ink = darkness_of(density_of(tones.fields[k], sizing)) * domain.width *
+                               domain.height / static_cast<double>(its_dots);
+            const double diameter = std::sqrt(4 / std::numbers::pi * ink);
+            for_each_polled(widths.size(), ask, [&](std::size_t i) {
+                const double part = widths[i] / diameter;
+                const bool is_narrow = widths[i] < most && part < 1;
+                shares[k][i] = is_narrow ? std::max(part * part, kLeastShare) : 1;
+            });
+        }
+    }
+    tones.shares = std::move(shares);
+    tones.varied.clear();
+    for (std::size_t k = 0; k < tones.fields.size(); ++k)
+        tones.varied.push_back(density_of(tones.fields[k], tones.sizing_of(k)));
 }
 
 std::vector<InkPart> parts_of(const Tones& tones) {

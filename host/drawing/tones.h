@@ -19,11 +19,12 @@ namespace lacuna::drawing {
 
 struct Tones {
     Sizing sizing{};
-    bool keep_inside = false;            // dots stay off white
-    std::vector<Field> fields{};         // the importance of the picture, or of each ink
-    std::vector<Field> varied{};         // how densely their dots lie, if sizes vary
-    Field sum{};                         // of the importance of all inks; empty without inks
-    std::vector<files::Layer> layers{};  // the inks and their dots; empty without inks
+    bool keep_inside = false;                   // dots stay off white
+    std::vector<Field> fields{};                // the importance of the picture, or of each ink
+    std::vector<Field> varied{};                // how densely their dots lie, if sizes vary
+    std::vector<std::vector<double>> shares{};  // of each field: see Sizing::shares
+    Field sum{};                                // of the importance of all inks; empty without inks
+    std::vector<files::Layer> layers{};         // the inks and their dots; empty without inks
 
     bool has_inks() const { return !layers.empty(); }
     // The sizes of dots of ink `k`, which its own pen decides if it has one.
@@ -61,6 +62,11 @@ double seconds_of(const Plotter& plotter, std::size_t dots, double path_mm);
 
 // Gives each ink its share of this number of dots.
 void share_dots(Tones& tones, std::uint64_t dots);
+
+// With keep_inside, and without pens: makes dots in shapes that are narrower than they are as much
+// smaller, down to a third of their width, and as much denser, so that thin lines stay. `dots` is
+// the number of all dots.
+void suit_narrow_shapes(Tones& tones, const Domain& domain, std::uint64_t dots);
 
 // The inks that have dots.
 std::vector<InkPart> parts_of(const Tones& tones);

@@ -241,8 +241,8 @@ constexpr Row kRows[] = {
      "names, each to a file -o 'out/{frame}.svg'. Dots keep their index, but with --pen-path"},
     {{"keep-inside", "", Kind::flag, kStipple},
      "Keeps dots off white, and in the picture: dots that overhang an edge are moved inwards, and "
-     "in a shape narrower than a dot they are made smaller, but not smaller than a pen. Where the "
-     "picture is black no gaps are left"},
+     "in a shape narrower than a dot they are smaller and denser, but not smaller than a pen. "
+     "Where the picture is black no gaps are left"},
     {{"pen-path", "", Kind::flag, kStipple},
      "Orders the dots along a short path for a pen, in every format"},
     {{"path-line", "", Kind::flag, kStipple},

@@ -143,7 +143,7 @@ def stipple(
         this power, and dots are as dense as importance over area.
     keep_inside : bool
         Keep dots off white, and in the picture: dots that overhang an edge are moved inwards, and
-        in a shape narrower than a dot they are made smaller. Where the picture is black, dots
+        in a shape narrower than a dot they are smaller and denser. Where the picture is black, dots
         leave no gaps.
     dot_size : str, optional
         The diameter of the pen's dots, such as '0.4mm', or '0.3mm..0.8mm' from light to dark. With

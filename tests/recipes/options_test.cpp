@@ -15,6 +15,7 @@
 #include "base/number_text.h"
 #include "files/formats.h"
 #include "recipes/options.h"
+#include "recipes/read.h"
 #include "refusal.h"
 
 namespace lacuna::recipes {
@@ -164,8 +165,12 @@ TEST(TheTableOfWords, IsThatOfPythonAndOfThePage) {
     EXPECT_NE(content_of("python/lacuna/_stipple.py").find(literal(Words::dot_modes)),
               std::string::npos);
     const std::string page = content_of("web/page/index.html");
-    for (const std::string_view paper : words_of(Words::papers))
-        EXPECT_NE(page.find("<option>" + std::string(paper) + "<"), std::string::npos) << paper;
+    for (const std::string_view paper : words_of(Words::papers)) {
+        const auto sheet = read_paper("paper-size", std::string(paper));
+        const std::string control = "<option data-size=\"" + shortest(sheet.width_mm) + " " +
+                                    shortest(sheet.height_mm) + "\">" + std::string(paper) + "<";
+        EXPECT_NE(page.find(control), std::string::npos) << control;
+    }
     const std::regex control("data-option=\"([^\"]+)\"");
     std::size_t controls = 0;
     for (std::sregex_iterator found(page.begin(), page.end(), control), end; found != end;

@@ -279,6 +279,34 @@ TEST(Stippling, AsALineHasInkForThePictureAndForWhereItLiesOnItself) {
     EXPECT_NE(svg.find("stroke-width=\"0.5\""), std::string::npos);
 }
 
+TEST(Stippling, KeptInsideDrawsThinLinesWithSmallerDots) {
+    // A black block of 60 x 60 pixels, and a line of 3 pixels beside it.
+    std::string pixels = "P2 120 60 255";
+    for (int row = 0; row < 60; ++row)
+        for (int column = 0; column < 120; ++column)
+            pixels += column < 60 || (column >= 90 && column < 93) ? " 0" : " 255";
+    const Picture drawing{pixels, "a block and a line"};
+    constexpr double kPixel = 1.0 / 120;
+    for (const bool in_ink : {false, true}) {
+        StippleOptions options = in_ink ? in_inks("black", 150) : counted(150);
+        options.keep_inside = true;
+        const Stippling made = stipple(drawing, options);
+        ASSERT_EQ(made.diameters.size(), 150U);
+        double in_block = 0, on_line = 0, widest_on_line = 0, widest = 0;
+        for (std::size_t i = 0; i < made.diameters.size(); ++i) {
+            const double diameter = made.diameters[i];
+            const bool is_on_line = made.result.points[i].x > 75 * kPixel;
+            (is_on_line ? on_line : in_block) += 3.14159265 / 4 * diameter * diameter;
+            double& most = is_on_line ? widest_on_line : widest;
+            most = std::max(most, diameter);
+        }
+        EXPECT_LE(widest_on_line, 3.001 * kPixel);
+        EXPECT_GT(widest, 2 * widest_on_line);
+        EXPECT_GT(on_line, 0.5 * 3 * kPixel * 0.5) << "of the line's area";
+        EXPECT_GT(in_block, 0.9 * 0.25);
+    }
+}
+
 TEST(Stippling, OnDarkPaperDrawsWhatIsLight) {
     StippleOptions options = in_inks("white", 400);
     options.paper_colour = {0, 0, 0};

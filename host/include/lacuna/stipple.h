@@ -85,7 +85,7 @@ struct StippleOptions {
     std::optional<Paper> paper{};  // unset: the page is the picture, its longer side 512 points
     Colour paper_colour = kWhitePaper;  // inks are separated for it, and pictures show it
     // Keeps dots off white and in the picture: dots that overhang an edge are moved inwards, and in
-    // a shape narrower than a dot they are made smaller, but not smaller than a pen.
+    // a shape narrower than a dot they are smaller and denser, but not smaller than a pen.
     bool keep_inside = false;
     bool pen_path = false;  // orders the dots of each ink along a short path
     // Draws that path as one line a layer in place of dots (Kaplan & Bosch 2005, TSP art). Dots lie

@@ -99,9 +99,13 @@ private:
             request().count = drawing::count_of_line(tones_, request().domain, style_);
         else if (!request().count && !request().scale)
             request().count = drawing::suiting_count(tones_, request().domain, style_);
-        if (!tones_.has_inks()) return;
+        if (!tones_.has_inks()) return suit_narrow_shapes();
         check_request(request());
-        if (counts.empty()) return drawing::share_dots(tones_, *request().count);
+        if (counts.empty()) {
+            drawing::share_dots(tones_, *request().count);
+            suit_narrow_shapes();
+            return drawing::share_dots(tones_, *request().count);
+        }
         for (std::size_t k = 0; k < counts.size(); ++k) {
             tones_.layers[k].dots = counts[k];
             if (counts[k] != 0 && pictures::is_zero_all_over(tones_.fields[k].importance))
@@ -109,6 +113,13 @@ private:
                                  fmt::format("must be 0 for {}: the picture needs none of this ink",
                                              options_.inks[k].name));
         }
+        suit_narrow_shapes();
+    }
+
+    void suit_narrow_shapes() {
+        if (!request().count) return;
+        drawing::suit_narrow_shapes(tones_, request().domain, *request().count);
+        if (!tones_.has_inks()) request().field = &tones_.densities().front();
     }
 
     // Places the dots and moves them.
