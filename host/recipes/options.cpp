@@ -236,9 +236,11 @@ constexpr Row kRows[] = {
      "How much of the tone is in the dots' sizes, 0 to 1 (default 0: all are equally large). Areas "
      "are proportional to importance^A, and dots as dense as importance^(1 - A): with few dots "
      "more is seen"},
-    {{"frames", "PATTERN", Kind::text, kStipple, {.decides_points = false}},
+    {{"frames", "PATTERN", Kind::text, kStipple},
      "In place of IMAGE: the pictures of a sequence, such as 'in/*.png', in the order of their "
-     "names, each to a file -o 'out/{frame}.svg'. Dots keep their index, but with --pen-path"},
+     "names, each to a file -o 'out/{frame}.svg'. Each dot keeps its index, except with "
+     "--pen-path, "
+     "--path-line, --plot-time and --pens"},
     {{"keep-inside", "", Kind::flag, kStipple},
      "Keeps dots off white, and in the picture: dots that overhang an edge are moved inwards, and "
      "in a shape narrower than a dot they are smaller and denser, but not smaller than a pen. "

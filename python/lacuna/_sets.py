@@ -327,7 +327,8 @@ class Stippling(PointSet):
     Attributes
     ----------
     radii : ndarray, shape (N,), float64
-        Radii of the dots to draw, in the domain's unit. Dots have as much ink as the picture.
+        Radii of the dots to draw, in the domain's unit. Dots have as much ink as the picture. Empty
+        with ``path_line``, which draws no dots.
     ink : ndarray, shape (N,), uint8, or None
         With ``inks``: the index of each dot's ink, in ascending order.
     inks : dict of str to str, or None
@@ -364,6 +365,7 @@ class Stippling(PointSet):
     for_a_pen: bool = False
 
     def _saved(self) -> dict[str, Any]:
+        self._check()
         drawn = ("paper_colour", "are_strokes", "line_width", "for_a_pen")
         saved = {**super()._saved(), **{name: getattr(self, name) for name in drawn}}
         if self.paper is not None:
@@ -376,6 +378,29 @@ class Stippling(PointSet):
             for name, colour in self.inks.items()
         ]
         return {**saved, "layers": list(zip(inks, dots.tolist()))}
+
+    def _check(self) -> None:
+        """Refuses attributes that do not agree, as ``dataclasses.replace`` may leave them."""
+        ellipses = getattr(self, "ellipses", None)
+        radii = None if self.line_width else self.radii
+        for name, array in (("radii", radii), ("ink", self.ink), ("ellipses", ellipses)):
+            if array is not None and len(array) != len(self.points):
+                count = len(self.points)
+                raise BadRequest(f"{name}: must be {count}, as points are, not {len(array)}", name)
+        if self.are_strokes and ellipses is None:
+            raise BadRequest("ellipses None: must be there with are_strokes", "ellipses")
+        if self.ink is not None and len(self.ink) and int(self.ink.max()) >= len(self.inks or ()):
+            most = len(self.inks or ())
+            raise BadRequest(f"ink {self.ink.max()}: must be under {most}, the inks", "ink")
+        if not 0 <= self.line_width < np.inf:
+            raise BadRequest(f"line_width {self.line_width}: must be at least 0", "line_width")
+        if self.paper is None:
+            return
+        if len(self.paper) != 3:
+            raise BadRequest(f"paper {self.paper}: must be width, height and margin", "paper")
+        width, height, margin = self.paper
+        if not (0 <= margin and 2 * margin < min(width, height) and max(width, height) < np.inf):
+            raise BadRequest(f"paper {self.paper}: must have room between its margins", "paper")
 
     def _radii(self) -> Floats:
         return self.radii

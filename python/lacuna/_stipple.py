@@ -32,7 +32,7 @@ def stipple(
     image: str | bytes | os.PathLike[str] | npt.ArrayLike,
     n: Whole | None = None,
     *,
-    start: PointSet | npt.ArrayLike | None = None,
+    start_points: PointSet | npt.ArrayLike | None = None,
     scale: SupportsFloat | None = None,
     relax: Whole | None = None,
     metric: Metric | None = None,
@@ -87,10 +87,11 @@ def stipple(
     n : int, optional
         Exactly ``n`` dots. By default, without ``scale``, one dot for 16 black pixels, at most a
         million. A grey pixel counts by its darkness; the longer side counts as 512 to 2048 pixels.
-    start : PointSet or array_like, shape (N, 2), optional
-        The dots of the picture before this one in a sequence, which are moved on: each keeps its
-        index, and changes its place little where the pictures are alike. Not with ``inks``,
-        ``along``, ``scale`` or ``relax=0``.
+    start_points : PointSet or array_like, shape (N, 2), optional
+        Instead of placing new dots: the dots of the picture before this one in a sequence, which
+        are moved on. Each changes its place little where the pictures are alike, and keeps its
+        index, except with ``pens`` and along a pen's path. Not with ``inks``, ``along``, ``scale``,
+        ``plot_time``, ``seed`` or ``relax=0``.
     scale : float
         The radius where the picture is black, if its longer side is 1.
     relax : int, optional
@@ -211,12 +212,14 @@ progress
         device=device, threads=threads, memory_limit=memory_limit,
     )  # fmt: skip
     if margin is not None and paper_size is None:
-        raise BadRequest(f"margin '{margin}': needs paper_size", "margin")
+        raise BadRequest(f"margin {margin}: needs paper_size", "margin")
     palette = [] if inks is None else _core.inks_of(text("inks", inks))
     picture = _picture(image)
-    first = None if start is None else points_array("start", start)
+    first = None if start_points is None else points_array("start_points", start_points)
     if first is not None and len(first) == 0:
-        raise BadRequest("start: must have at least one point", "start")
+        raise BadRequest("start_points: must have at least one point", "start_points")
+    if first is not None and seed is not None:
+        raise BadRequest("seed with start_points: has no effect, no new dots are placed", "seed")
     try:
         with watched(progress) as told:
             made = _core.stipple(picture, asked, palette, first, told)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from pathlib import Path
 from typing import Any
 
@@ -84,13 +85,39 @@ def test_what_is_not_understood_is_refused(argument: str, arguments: dict[str, A
 def test_dots_of_the_next_picture_begin_where_those_of_the_last_lie() -> None:
     x = np.arange(60) * np.ones((40, 1))
     first = lacuna.stipple(x, 200, seed=1)
-    second = lacuna.stipple(x + 1, start=first)
+    second = lacuna.stipple(x + 1, start_points=first)
     assert 0 < np.abs(second.points - first.points).max() < 0.05
-    again = lacuna.stipple(x + 1, 200, start=first.points)
+    again = lacuna.stipple(x + 1, 200, start_points=first.points)
     assert again.points.tobytes() == second.points.tobytes()
+    start = "start_points"
     for argument, wrong in (
-        ("^n 199", {"n": 199}), ("frames", {"relax": 0}), ("frames", {"inks": "red"}),
-        ("start", {"start": np.zeros((0, 2))}), ("point", {"start": [[0.5, 2.0]]}),
+        ("n", {"n": 199}), (start, {"relax": 0}), (start, {"inks": "red"}), ("seed", {"seed": 1}),
+        (start, {start: np.zeros((0, 2))}), (start, {start: [[0.5, 2.0]]}),
+        (start, {"mode": "stratified"}), (start, {"plot_time": "1h"}),
     ):  # fmt: skip
-        with pytest.raises(lacuna.BadRequest, match=argument):
-            lacuna.stipple(x, **{"start": first, **wrong})
+        with pytest.raises(lacuna.BadRequest) as caught:
+            lacuna.stipple(x, **{start: first, **wrong})
+        assert caught.value.argument == argument, str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("argument", "wrong"),
+    [
+        ("radii", {"radii": np.ones(9)}),
+        ("ink", {"ink": np.full(60, 7, np.uint8)}),
+        ("ellipses", {"are_strokes": True}),
+        ("paper", {"paper": (100, 3)}),
+        ("paper", {"paper": (100.0, 0.0, 0.0)}),
+        ("paper", {"paper": (100.0, 100.0, 60.0)}),
+        ("line_width", {"line_width": float("nan")}),
+    ],
+)
+def test_what_cannot_be_drawn_is_refused_when_saved(
+    tmp_path: Path, argument: str, wrong: dict[str, Any]
+) -> None:
+    ramp = np.linspace(0, 1, 40) * np.ones((20, 1))
+    made = lacuna.stipple(ramp, 60, seed=1, pens="0.5mm,1mm", **A6)
+    with pytest.raises(lacuna.BadRequest) as caught:
+        dataclasses.replace(made, **wrong).save(tmp_path / "a.svg")
+    assert caught.value.argument == argument, str(caught.value)
+    assert not list(tmp_path.iterdir())

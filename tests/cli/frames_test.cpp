@@ -40,6 +40,12 @@ TEST(StippleFrames, EachDotKeepsItsIndexAndMovesLittle) {
                                  "--seed", "3", "-o", folder.path("{frame}.npy")});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 3) << "a line a picture";
+    const auto json_of = [&](const char* name) { return content_of(folder.path(name)); };
+    ASSERT_EQ(run({"stipple", "--frames", folder.path("in/*.pgm"), "--count", "80", "-o",
+                   folder.path("{frame}.json")})
+                  .exit_code,
+              0);
+    EXPECT_NE(json_of("1.json").find("--frames"), std::string::npos) << "how it was made";
     std::vector<Point> before = lacuna::files::read_points(folder.path("0.npy"));
     EXPECT_EQ(before, points_of(folder.path("in/0.pgm"),
                                 {"--count", "800", "--seed", "3", "--relax", "15"}));
@@ -72,12 +78,19 @@ TEST(StippleFrames, AreCheckedBeforeTheFirstIsMade) {
         EXPECT_FALSE(std::filesystem::exists(folder.path("0.svg"))) << part;
     };
     expect({folder.path("no/*"), "-o", out}, "must match pictures");
+    expect({all}, "needs an --output with {frame} in its name");
+    expect({all, "-o", folder.path("in/1{frame}.svg"), "-o", folder.path("in/{frame}.pgm"),
+            "--format", "svg"},
+           "must be another file than --frames ");
     expect({all, "-o", folder.path("a.svg")}, "must have {frame} in its name");
-    expect({all, "-o", out, "--relax", "0"}, "must be relaxed");
+    expect({all, "-o", out, "--relax", "0"}, "with --relax 0: ");
     expect({all, "-o", out, "--inks", "cmyk"}, "with --inks: ");
-    expect({all, "-o", folder.path("in/{frame}.pgm.svg/a.svg")}, "a.svg");
     std::filesystem::copy(folder.path("in/0.pgm"), folder.path("in/0.png"));
-    expect({folder.path("in/*"), "-o", out}, "two are called 0");
+    expect({folder.path("in/*"), "-o", out}, "0.pgm and ");
+    std::filesystem::remove(folder.path("in/0.png"));
+    std::filesystem::rename(grey_picture(folder, 3, 4, std::string(12, 'x')),
+                            folder.path("in/2.pgm"));
+    expect({all, "-o", out}, "3x4 pixels: must have the proportions of ");
 }
 
 }  // namespace

@@ -121,9 +121,7 @@ std::string names_of(const std::vector<Ink>& inks) {
 std::vector<Output> checked_outputs(const CommandLine& line, const StippleCommand& all,
                                     const StippleOptions& options) {
     check(options);
-    std::vector<GivenFile> read = files_read(line);
-    if (!all.frames.empty()) read.push_back({"--frames", all.image});
-    const std::vector<Output> outputs = checked_outputs(all.common, read);
+    const std::vector<Output> outputs = checked_outputs(all.common, files_read(line));
     check_ellipse_columns(all.ellipse_columns, outputs);
     if (!options.inks.empty() && !loss_of_columns(outputs).empty())
         throw BadRequest("inks", names_of(options.inks),
@@ -236,7 +234,8 @@ std::vector<Point> run_one(const CommandLine& line, const StippleCommand& all) {
     Made made{.stopwatch = Stopwatch(!common.report.empty())};
     const Stippling dots = make(common, all.image, options, made);
     const Request& request = common.request = dots.request;
-    if (!common.quiet) warn_of_ink(drawing, made.result.points.size(), dots.dots_for_ink);
+    if (!common.quiet && options.start_points.empty())
+        warn_of_ink(drawing, made.result.points.size(), dots.dots_for_ink);
 
     const Json asked = json_of(all, options, dots);
     const files::Origin origin = origin_of(line, request, made.result, asked);
@@ -269,20 +268,27 @@ void run(const CommandLine& line, const StippleCommand& all) {
         run_one(line, all);
         return;
     }
-    std::vector<StippleCommand> frames;
-    for (const Frame& frame : frames_of(all.frames, all.common.output.paths)) {
-        StippleCommand& one = frames.emplace_back(all);
+    const std::vector<Frame> frames = frames_of(all.frames, all.common.output.paths);
+    if (all.stipple.relax == 0U)
+        throw BadRequest("frames", "with --relax 0", "dots are moved on from picture to picture");
+    const auto command_of = [&](const Frame& frame) {
+        StippleCommand one = all;
         one.image = frame.image;
         one.common.output.paths = frame.outputs;
-        StippleOptions later = one.stipple;  // as it is with the dots of another picture
-        later.start_points = {Point{}};
-        later.request.count.reset();
-        checked_outputs(line, one, later);
-    }
+        return one;
+    };
+    for (const Frame& frame : frames) checked_outputs(line, command_of(frame), all.stipple);
     std::vector<Point> dots;
-    for (StippleCommand& one : frames) {
-        one.stipple.start_points = std::move(dots);
+    for (const Frame& frame : frames) {
+        StippleCommand one = command_of(frame);
+        if (!dots.empty()) {
+            one.stipple.request.count = dots.size();
+            one.stipple.pen_path = one.stipple.pen_path || one.stipple.plot_seconds;
+            one.stipple.plot_seconds.reset();
+            one.stipple.start_points = std::move(dots);
+        }
         dots = run_one(line, one);
+        Interruption::note_files();
     }
 }
 

@@ -1,46 +1,89 @@
 // Finds the pictures of a sequence.
 #include "cli/options/frames.h"
 
+#include <fmt/core.h>
 #include <glob.h>
 #include <lacuna/errors.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
-#include <set>
 #include <string_view>
 
 #include "base/number_text.h"
+#include "cli/options/given_files.h"
 #include "cli/reports/output.h"
+#include "files/point_files.h"
+#include "pictures/image.h"
 
 namespace lacuna::cli {
 namespace {
 
 constexpr std::string_view kFrame = "{frame}";
 
+std::vector<std::string> files_like(const std::string& pattern) {
+    glob_t found{};
+    const std::unique_ptr<glob_t, decltype(&::globfree)> owner(&found, ::globfree);
+    const int failure = ::glob(pattern.c_str(), 0, nullptr, &found);
+    if (failure == GLOB_NOMATCH)
+        throw BadRequest("frames", shown(pattern),
+                         "must match pictures, as in 'in/*.png': no file is called like that");
+    if (failure != 0) throw files::FileError(pattern + ": the folder cannot be read");
+    return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
+}
+
+void check_files(const std::vector<Frame>& frames) {
+    std::vector<GivenFile> read, written;
+    for (const Frame& frame : frames) {
+        read.push_back({"--frames", frame.image});
+        for (const std::string& path : frame.outputs) written.push_back({"--output", path});
+    }
+    check_given_files(read, written);
+}
+
+// Dots that move on keep their places in the domain, which has the picture's proportions.
+void check_proportions(const std::vector<Frame>& frames) {
+    std::uint64_t columns = 0, rows = 0;
+    for (const Frame& frame : frames) {
+        const pictures::Image image = pictures::read_image(frame.image);
+        if (&frame == &frames.front()) {
+            columns = image.columns;
+            rows = image.rows;
+        }
+        if (image.columns * rows != image.rows * columns)
+            throw BadRequest(
+                "frames", shown(frame.image),
+                fmt::format("{}x{} pixels: must have the proportions of {}, {}x{}", image.columns,
+                            image.rows, shown(frames.front().image), columns, rows));
+    }
+}
+
 }  // namespace
 
 std::vector<Frame> frames_of(const std::string& pattern, const std::vector<std::string>& outputs) {
+    if (outputs.empty())
+        throw BadRequest("frames", shown(pattern),
+                         "needs an --output with {frame} in its name, such as 'out/{frame}.svg'");
     for (const std::string& path : outputs)
         if (path.find(kFrame) == std::string::npos)
             throw BadRequest("output", shown(path),
                              "must have {frame} in its name, for --frames: a file a picture");
-    glob_t found{};
-    const std::unique_ptr<glob_t, decltype(&::globfree)> owner(&found, ::globfree);
-    if (::glob(pattern.c_str(), 0, nullptr, &found) != 0)
-        throw BadRequest("frames", shown(pattern),
-                         "must match pictures, as in 'in/*.png': no file is called like that");
     std::vector<Frame> frames;
-    std::set<std::string> names;
-    for (std::size_t i = 0; i < found.gl_pathc; ++i) {
-        const std::string image = found.gl_pathv[i];
+    std::map<std::string, std::string> images;  // by their names
+    for (const std::string& image : files_like(pattern)) {
         const std::string name = std::filesystem::path(image).stem().string();
-        if (!names.insert(name).second)
+        const auto [other, is_new] = images.emplace(name, image);
+        if (!is_new)
             throw BadRequest("frames", shown(pattern),
-                             "must match one picture of each name: two are called " + shown(name));
+                             "must match one picture of each name, not " + shown(other->second) +
+                                 " and " + shown(image));
         Frame& frame = frames.emplace_back(Frame{image, {}});
         for (const std::string& path : outputs)
             frame.outputs.push_back(with_name(path, kFrame, name));
     }
+    check_files(frames);
+    check_proportions(frames);
     return frames;
 }
 

@@ -13,6 +13,7 @@ enum class OnSignal { tell_and_exit, finish_files, exit };
 
 std::atomic<OnSignal> on_signal = OnSignal::tell_and_exit;
 std::atomic<bool> line_to_clear = false;
+std::atomic<bool> has_files = false;
 std::atomic<int> waiting = 0;  // the signal that came while files were written, or 0
 static_assert(std::atomic<OnSignal>::is_always_lock_free);  // handlers may use no other atomics
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
@@ -29,7 +30,9 @@ void handle(int signal) {
         return;
     }
     if (line_to_clear) say("\r\x1b[K");
-    if (what == OnSignal::tell_and_exit) say("lacuna: interrupted, nothing was written\n");
+    if (what == OnSignal::tell_and_exit)
+        say(has_files ? "lacuna: interrupted, only files of earlier pictures were written\n"
+                      : "lacuna: interrupted, nothing was written\n");
     _exit(128 + signal);
 }
 
@@ -54,6 +57,10 @@ Interruption::~Interruption() {
 
 void Interruption::finish_files_first() {
     on_signal = OnSignal::finish_files;
+}
+
+void Interruption::note_files() {
+    has_files = true;
 }
 
 void Interruption::exit_at_once() {

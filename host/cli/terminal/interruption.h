@@ -20,6 +20,9 @@ public:
     Interruption(const Interruption&) = delete;
     Interruption& operator=(const Interruption&) = delete;
 
+    // From now on a signal no longer says that nothing was written: files of earlier sets are
+    // there.
+    static void note_files();
     // From now on signals wait.
     static void finish_files_first();
     // From now on signals no longer wait: writing to streams may block for ever. Ends the program

@@ -60,9 +60,11 @@ struct StippleOptions {
     // because a stratified set keeps no least distance. Without relaxing cells, and exact with
     // Tone::along.
     std::optional<Mode> start{};
-    // In place of these: the dots of the picture before this one in a sequence. They are moved on,
-    // so that each keeps its index and changes its place little where the pictures are alike. They
-    // must be relaxed, in one colour, and lie in the domain; a count must be their number.
+    // Instead of placing new dots: the dots of the picture before this one in a sequence, which lie
+    // in the domain. They are moved on, so that each changes its place little where the pictures
+    // are alike, and keeps its index, except with several pens and along a pen's path. A count must
+    // be their number. Not with inks, Tone::along, plot_seconds or 0 for relax; the seed has no
+    // effect.
     std::vector<Point> start_points{};
     std::optional<Metric> metric{};  // default: mean in cells that are relaxed, else min
     // How often the dots are moved. Default: 15, but 0 with Tone::along.

@@ -38,7 +38,8 @@ recipes::CommandLine line_of(StippleOptions options) {
         line.given.push_back({options.pens->widths_mm.empty() ? "dot-size" : "pens",
                               {shortest(options.pens->least_mm) + "mm"}});
     if (!options.start_points.empty())
-        line.given.push_back({"frames", {fmt::format("{} dots", options.start_points.size())}});
+        line.given.push_back(
+            {"start-points", {fmt::format("{} dots", options.start_points.size())}});
     if (options.plot_seconds)
         line.given.push_back({"plot-time", {shortest(*options.plot_seconds) + "s"}});
     return line;
@@ -150,7 +151,7 @@ Stippling recipes::settled(const StippleOptions& options) {
     Stippling made{.request = options.request};
     made.iterations = recipes::relax_of(given);
     if (!options.start_points.empty() && made.iterations == 0)
-        throw BadRequest("frames", "with --relax 0", "must be relaxed: their dots are moved on");
+        throw BadRequest("start-points", "with --relax 0", "they are moved on");
     if (!options.start_points.empty() &&
         options.request.count.value_or(options.start_points.size()) != options.start_points.size())
         throw BadRequest("count", std::to_string(*options.request.count),

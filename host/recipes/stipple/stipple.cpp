@@ -126,6 +126,11 @@ private:
     void place() {
         const recipes::Moves moves{.iterations = made_.iterations, .measure = options_.measure};
         const std::vector<Point>& start = options_.start_points;
+        for (const Point& point : start)
+            if (!request().domain.holds(point))
+                throw BadRequest("start-points",
+                                 fmt::format("({}, {})", shortest(point.x), shortest(point.y)),
+                                 "must lie in the picture: is it one of other proportions?");
         recipes::Made placed =
             tones_.has_inks()
                 ? recipes::make_in_inks(request(), drawing::parts_of(tones_), moves, observer_)
