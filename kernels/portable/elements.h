@@ -2,7 +2,8 @@
 // have the same members in the same order, unless a comment says otherwise.
 //
 // OpenCL C and GLSL read and write an element at once, with LOAD and STORE: in OpenCL C because it
-// is aligned to its size; in GLSL, where drivers access a struct word by word, as a vector.
+// is aligned to its size; in GLSL as a vector, because drivers access a struct word by word, and
+// GPU-assisted validation does not check such accesses.
 #ifndef LACUNA_PORTABLE_ELEMENTS_H
 #define LACUNA_PORTABLE_ELEMENTS_H
 #include "types.h"
@@ -30,15 +31,15 @@
 
 #else  // GLSL: each element has its struct, the struct of its words, and functions between them.
 #define WordsOfu32 uint
-#define LACUNA_FUNCTIONS_OF_PAIR(Name, A, a, B, b)     \
-    struct WordsOf##Name {                             \
-        uvec2 words;                                   \
-    };                                                 \
-    Name element_of(const WordsOf##Name from) {        \
-        return Name(A(from.words.x), B(from.words.y)); \
-    }                                                  \
-    WordsOf##Name words_of(const Name from) {          \
-        return WordsOf##Name(uvec2(from.a, from.b));   \
+#define LACUNA_FUNCTIONS_OF_PAIR(Name, A, a, B, b) \
+    struct WordsOf##Name {                         \
+        uvec2 words;                               \
+    };                                             \
+    Name Name##_of(const uvec2 words) {            \
+        return Name(A(words.x), B(words.y));       \
+    }                                              \
+    uvec2 words_of(const Name from) {              \
+        return uvec2(from.a, from.b);              \
     }
 #define PAIR(Name, A, a, B, b) \
     struct Name {              \
@@ -46,15 +47,15 @@
         B b;                   \
     };                         \
     LACUNA_FUNCTIONS_OF_PAIR(Name, A, a, B, b)
-#define LACUNA_FUNCTIONS_OF_FOUR(Name, A, a, B, b, C, c, D, d)                           \
-    struct WordsOf##Name {                                                               \
-        uvec4 words;                                                                     \
-    };                                                                                   \
-    Name element_of(const WordsOf##Name from) {                                          \
-        return Name(A(from.words.x), B(from.words.y), C(from.words.z), D(from.words.w)); \
-    }                                                                                    \
-    WordsOf##Name words_of(const Name from) {                                            \
-        return WordsOf##Name(uvec4(from.a, from.b, from.c, from.d));                     \
+#define LACUNA_FUNCTIONS_OF_FOUR(Name, A, a, B, b, C, c, D, d)       \
+    struct WordsOf##Name {                                           \
+        uvec4 words;                                                 \
+    };                                                               \
+    Name Name##_of(const uvec4 words) {                              \
+        return Name(A(words.x), B(words.y), C(words.z), D(words.w)); \
+    }                                                                \
+    uvec4 words_of(const Name from) {                                \
+        return uvec4(from.a, from.b, from.c, from.d);                \
     }
 #define FOUR(Name, A, a, B, b, C, c, D, d) \
     struct Name {                          \

@@ -34,7 +34,7 @@ BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const Candidate candi
             const u32 from = low >= high ? end : lower_bound(ON begin, end, low, height);
             u32 j = from;
             for (; j < end; ++j) {
-                const Candidate other = LOAD(candidates, j);
+                const Candidate other = LOAD(Candidate, candidates, j);
                 if (other.y >= high) break;
                 if (other.y < low || other.order >= candidate.order) continue;
                 if (!are_closer(other.x, other.y, x, candidate.y, a.g.period_x, a.g.period_y,

@@ -11,7 +11,7 @@ BODY void serve_locate_in_cells(MEMORY const SlabArguments a, const u32 item) {
     u32 passed = 0u;  // bits in the words below it
     u32 word = 0u;
     for (u32 i = begin; i < end; ++i) {
-        const Draw draw = LOAD(draws, i);
+        const Draw draw = LOAD(Draw, draws, i);
         if (draw.bin != line) {
             line = draw.bin;
             number = 0u;

@@ -23,7 +23,7 @@ BODY void serve_sort_columns(MEMORY const ColumnArguments a, const u32 column) {
         AT(statuses, i) = STATUS_UNDECIDED;
     }
     for (u32 i = begin; i < end; ++i)
-        ++AT(buckets, begin + bucket_of(LOAD(located, i).y, count, a.g.height));
+        ++AT(buckets, begin + bucket_of(LOAD(Candidate, located, i).y, count, a.g.height));
 
     // Find the beginning of each bucket, and fill the buckets.
     u32 next = begin;
@@ -35,7 +35,7 @@ BODY void serve_sort_columns(MEMORY const ColumnArguments a, const u32 column) {
         largest = max(largest, in_bucket);
     }
     for (u32 i = begin; i < end; ++i) {
-        const Candidate candidate = LOAD(located, i);
+        const Candidate candidate = LOAD(Candidate, located, i);
         const u32 bucket = begin + bucket_of(candidate.y, count, a.g.height);
         const u32 to = AT(buckets, bucket);
         AT(buckets, bucket) = to + 1u;
@@ -48,10 +48,11 @@ BODY void serve_sort_columns(MEMORY const ColumnArguments a, const u32 column) {
     do {
         step = max(step * 5u / 11u, 1u);
         for (u32 i = begin + step; i < end; ++i) {
-            const Candidate moved = LOAD(candidates, i);
+            const Candidate moved = LOAD(Candidate, candidates, i);
             u32 to = i;
-            while (to >= begin + step && comes_before(moved, LOAD(candidates, to - step))) {
-                STORE(candidates, to, LOAD(candidates, to - step));
+            while (to >= begin + step &&
+                   comes_before(moved, LOAD(Candidate, candidates, to - step))) {
+                STORE(candidates, to, LOAD(Candidate, candidates, to - step));
                 to -= step;
             }
             if (to < i) STORE(candidates, to, moved);

@@ -126,7 +126,7 @@ BODY void serve_subtract_in_cells(MEMORY const DrawArguments a, const u32 item) 
     for (u32 k = begin; k < end; ++k) {
         const u32 i = a.is_listed != 0u ? AT(todo, k) : k;
         if (AT(statuses, i) != STATUS_ADMITTED) continue;
-        const Candidate admitted = LOAD(candidates, i);
+        const Candidate admitted = LOAD(Candidate, candidates, i);
         const u32 pixel = AT(column_of, admitted.x) * a.rows + AT(row_of, admitted.y);
         if (AT(pixel_reaches, pixel) <= a.most_reach)
             serve_sample(ON a, admitted, pixel, item % a.slices);

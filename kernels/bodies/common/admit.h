@@ -19,7 +19,7 @@ BODY u32 decide_all(MEMORY const DrawArguments a, const u32 begin, const u32 end
         while (i < end && LOOK_AT(statuses, i) != STATUS_UNDECIDED) ++i;
         if (i == end) break;
         if (looks > MOST_RIVALS) return left + 1u;
-        const Candidate candidate = LOAD(candidates, i);
+        const Candidate candidate = LOAD(Candidate, candidates, i);
         const u32 decided = decide(ON a, i, candidate);
         const u32 status = decided % 4u;
         looks += decided / 4u;

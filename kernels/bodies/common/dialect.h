@@ -1,7 +1,7 @@
 // Names for constructs that OpenCL C and GLSL spell differently, defined for both.
 //
 // A body is the loop of one kernel, written once. It uses the kernel's buffers by name:
-// AT(statuses, i) is a word of the buffer `statuses`; LOAD(draws, i) and STORE(boxes, i, box)
+// AT(statuses, i) is a word of the buffer `statuses`; LOAD(Draw, draws, i) and STORE(boxes, i, box)
 // are for buffers whose elements have several words (portable/elements.h). A function that uses
 // buffers has MEMORY before its parameters and is called with ON before its arguments: in OpenCL
 // they pass a struct of pointers, in GLSL they are empty. KERNEL comes first: it defines the
@@ -25,7 +25,7 @@ typedef struct Memory {
 #define MEMORY const Memory memory,
 #define ON memory,
 #define AT(name, i) memory.name[i]
-#define LOAD(name, i) memory.name[i]
+#define LOAD(Type, name, i) memory.name[i]
 #define STORE(name, i, element) memory.name[i] = (element)
 // Reads a word that other items may change at the same time, if an old value is good enough.
 // Oclgrind reports a race unless the read is atomic, which makes a verb up to three times as slow.
@@ -55,8 +55,8 @@ typedef struct Memory {
 #define MEMORY
 #define ON
 #define AT(name, i) name[i]
-#define LOAD(name, i) element_of(name[i])
-#define STORE(name, i, element) name[i] = words_of(element)
+#define LOAD(Type, name, i) Type##_of(name[i].words)
+#define STORE(name, i, element) name[i].words = words_of(element)
 #define LOOK_AT(name, i) name[i]
 #define ATOMIC_ADD(name, i, value) atomicAdd(name[i], value)
 #define ATOMIC_AND(name, i, value) atomicAnd(name[i], value)

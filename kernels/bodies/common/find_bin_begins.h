@@ -9,7 +9,7 @@ BODY void serve_find_bin_begins(MEMORY const ColumnArguments a, const u32 column
     u32 end = min(AT(report, TOTAL_WORD) - AT(report, SAMPLES_WORD), a.room);
     while (begin < end) {
         const u32 middle = begin + (end - begin) / 2u;
-        if (LOAD(new_boxes, middle).x / a.g.strip_width < line)
+        if (LOAD(Box, new_boxes, middle).x / a.g.strip_width < line)
             begin = middle + 1u;
         else
             end = middle;

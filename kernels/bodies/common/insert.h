@@ -12,7 +12,7 @@ BODY void serve_insert(MEMORY const DrawArguments a, const u32 item) {
     for (u32 i = begin; i < end; ++i) {
         const u32 status = AT(statuses, i);
         if (status == STATUS_COVERED) continue;  // it was never listed
-        const Candidate candidate = LOAD(candidates, i);
+        const Candidate candidate = LOAD(Candidate, candidates, i);
         const u32 cell = cell_of_candidate(a.g, candidate);
         AT(cell_heads, cell) = NO_SAMPLE;
         if (status != STATUS_ADMITTED) continue;

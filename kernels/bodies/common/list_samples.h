@@ -11,7 +11,7 @@ BODY void serve_list_samples(MEMORY const SampleArguments a, const u32 item) {
     const u32 end = min((item + 1u) * a.chunk, a.draws);
     for (u32 i = item * a.chunk; i < end; ++i) {
         if (AT(statuses, i) != STATUS_ADMITTED) continue;
-        const Candidate admitted = LOAD(candidates, i);
+        const Candidate admitted = LOAD(Candidate, candidates, i);
         const u32 word = admitted.order / 32u;
         const u32 below = (1u << admitted.order % 32u) - 1u;
         const u32 rank = sum_before(ON a.counts_before + word, a.block_bits) - bins +

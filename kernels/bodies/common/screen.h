@@ -11,7 +11,7 @@ BODY void serve_screen(MEMORY const DrawArguments a, const u32 item) {
         if (a.status != STATUS_UNDECIDED && AT(statuses, i) == STATUS_UNDECIDED &&
             is_covered(ON a, i)) {
             AT(statuses, i) = a.status;
-            const u32 order = LOAD(candidates, i).order;
+            const u32 order = LOAD(Candidate, candidates, i).order;
             if (a.status == STATUS_COVERED)
                 ATOMIC_OR(outcomes, words_of_column(a.count) + order / 32u, 1u << order % 32u);
         } else {

@@ -31,8 +31,8 @@ BODY bool is_covered_inside(MEMORY const Geometry g, const u32 x, const u32 y) {
 // Whether a sample in the grid is closer than the radius.
 BODY bool is_covered(MEMORY const DrawArguments a, const u32 i) {
     const Geometry g = a.g;
-    const u32 x = place_of(a, LOAD(candidates, i));
-    const u32 y = LOAD(candidates, i).y;
+    const u32 x = place_of(a, LOAD(Candidate, candidates, i));
+    const u32 y = LOAD(Candidate, candidates, i).y;
     if (g.rule != RULE_OF_LINES && min(g.grid_columns, g.grid_rows) >= 4u &&
         g.radius < min(g.width, g.height) && min(x, y) >= g.radius && x < g.width - g.radius &&
         y < g.height - g.radius)
@@ -54,6 +54,6 @@ BODY bool is_covered(MEMORY const DrawArguments a, const u32 i) {
 // Lists the candidate in its cell, for decide. A restored round may have admitted it before.
 BODY void leave_open(MEMORY const DrawArguments a, const u32 i) {
     if (a.is_listed == 0u || AT(statuses, i) > STATUS_ADMITTED) return;
-    const u32 cell = cell_of_candidate(a.g, LOAD(candidates, i));
+    const u32 cell = cell_of_candidate(a.g, LOAD(Candidate, candidates, i));
     AT(next_candidates, i) = ATOMIC_SET(cell_heads, cell, i);
 }

@@ -3,12 +3,12 @@
 #include "bodies/exact/ellipses.h"
 
 BODY bool is_covered(MEMORY const DrawArguments a, const u32 i) {
-    const Candidate candidate = LOAD(candidates, i);
+    const Candidate candidate = LOAD(Candidate, candidates, i);
     const u32 radius = AT(candidate_radii, i);
     if (radius == 0u) return true;
     const Sized one = {candidate.x, candidate.y, radius};
     for (u32 number = AT(lists, candidate.home); number != NO_SAMPLE;) {
-        const Neighbour entry = LOAD(entries, number);
+        const Neighbour entry = LOAD(Neighbour, entries, number);
         if (are_in_conflict(ON a.g, entry.x, entry.y, entry.radius, one)) return true;
         number = entry.next;
     }

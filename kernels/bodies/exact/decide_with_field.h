@@ -9,10 +9,10 @@ BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const Candidate candi
     u32 looks = 0u;
     u32 number = AT(visitor_heads, candidate.home);
     while (number != NO_SAMPLE) {
-        const Visitor visitor = LOAD(visitors, number);
+        const Visitor visitor = LOAD(Visitor, visitors, number);
         number = visitor.next;
         ++looks;
-        const Candidate other = LOAD(candidates, visitor.candidate);
+        const Candidate other = LOAD(Candidate, candidates, visitor.candidate);
         if (other.order >= candidate.order) continue;
         const u32 radius = AT(candidate_radii, visitor.candidate);
         if (!are_in_conflict(ON a.g, other.x, other.y, radius, one)) continue;

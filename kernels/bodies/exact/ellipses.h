@@ -9,7 +9,7 @@
 BODY Ellipse ellipse_at(MEMORY const u32 x, const u32 y) {
     const PixelGrid field = grid_of(ON COLUMNS_OF_FIELD);
     const u32 pixel = pixel_of(field.columns, x) * field.rows.pixels + pixel_of(field.rows, y);
-    return LOAD(ellipses, pixel);
+    return LOAD(Ellipse, ellipses, pixel);
 }
 
 // Whether a sample or candidate at x, y conflicts with another one.

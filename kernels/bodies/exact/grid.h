@@ -23,7 +23,7 @@ struct Walk {
 LACUNA_TYPEDEF(Walk)
 
 BODY HalvedBox box_at(MEMORY const StripArguments a, const u32 number) {
-    const Strip whole = {LOAD(boxes, number), a.g.radius, true};
+    const Strip whole = {LOAD(Box, boxes, number), a.g.radius, true};
     return uncut(whole);
 }
 

@@ -36,7 +36,7 @@ BODY void serve_keep(MEMORY const StripArguments a, const u32 item) {
     u32 to = 0u;
     for (u32 index = item * a.chunk << a.strip_bits; index < end; ++index) {
         // A loop of its own: items in lockstep skip together, then work together.
-        while (index < end && LOAD(strip_pieces, index).end == 0u) ++index;
+        while (index < end && LOAD(Span, strip_pieces, index).end == 0u) ++index;
         if (index == end) break;
         if (index >> a.strip_bits != number) {
             number = index >> a.strip_bits;
@@ -44,7 +44,7 @@ BODY void serve_keep(MEMORY const StripArguments a, const u32 item) {
         }
         const HalvedBox box = box_at(ON a, number);
         const Strip strip = strip_of(a, box, index & (1u << a.strip_bits) - 1u);
-        const Span piece = LOAD(strip_pieces, index);
+        const Span piece = LOAD(Span, strip_pieces, index);
         if (piece.end == NO_SAMPLE) {
             to = keep_several(ON a, number, box, strip, to);
         } else {

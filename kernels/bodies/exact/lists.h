@@ -39,12 +39,12 @@ LACUNA_TYPEDEF(Walk)
 
 // If measure finds that no sample may lie in a box, the box stays until it is halved.
 BODY HalvedBox box_at(MEMORY const StripArguments a, const u32 number) {
-    const u32 radius = LOAD(origins, number).radius;
-    const Strip whole = {LOAD(boxes, number), radius & ~IS_EVEN, (radius & IS_EVEN) != 0u};
+    const u32 radius = LOAD(Origin, origins, number).radius;
+    const Strip whole = {LOAD(Box, boxes, number), radius & ~IS_EVEN, (radius & IS_EVEN) != 0u};
     HalvedBox box = uncut(whole);
     if (a.strip_bits != 0u && !whole.is_even) {
-        box.borders = LOAD(borders, number);
-        box.radii = LOAD(strip_radii, number);
+        box.borders = LOAD(Borders, borders, number);
+        box.radii = LOAD(StripRadii, strip_radii, number);
     }
     return box;
 }
@@ -161,10 +161,10 @@ BODY Near near_of(MEMORY const StripArguments a, const u32 number, const HalvedB
     Strip whole = box.whole;
     whole.radius = greatest_radius(a, box);
     const Four none = {0u, 0u, 0u, 0u};
-    Near near = {AT(lists, LOAD(origins, number).block), 0u, none, none};
+    Near near = {AT(lists, LOAD(Origin, origins, number).block), 0u, none, none};
     u32 next = near.first;
     while (is_in_list(a, next)) {
-        const Neighbour entry = LOAD(entries, next);
+        const Neighbour entry = LOAD(Neighbour, entries, next);
         const u32 dx = least_distance(a, whole, x_of(a, entry, whole));
         const u32 dy = distance_to_stretch(entry.y, whole.at.begin, whole.at.end, a.g.period_y);
         if (squared_length(dx, dy) < limit_near(ON a, entry, whole)) {
@@ -187,7 +187,7 @@ BODY bool has_sample(const StripArguments a, const Near near, const Walk walk) {
 }
 
 BODY Neighbour sample_at(MEMORY const StripArguments a, const Near near, const Walk walk) {
-    return LOAD(entries, walk.number);
+    return LOAD(Neighbour, entries, walk.number);
 }
 
 BODY Walk walk_past(const Near near, const Walk walk, const Neighbour neighbour) {
@@ -203,6 +203,6 @@ BODY Walk walk_past(const Near near, const Walk walk, const Neighbour neighbour)
 BODY void keep_origin(MEMORY const u32 from, const Strip strip, const Box box, const u32 to) {
     const bool is_whole = box.begin == strip.at.begin && box.end == strip.at.end;
     const u32 radius = strip.is_even ? strip.radius | IS_EVEN : is_whole ? strip.radius : 0u;
-    const Origin origin = {LOAD(origins, from).block, radius};
+    const Origin origin = {LOAD(Origin, origins, from).block, radius};
     STORE(new_origins, to, origin);
 }

@@ -8,16 +8,16 @@ BODY void serve_measure(MEMORY const StripArguments a, const u32 item) {
     const u32 boxes = AT(report, TOTAL_WORD) - AT(report, SAMPLES_WORD);
     const u32 end = min((item + 1u) * a.chunk, min(a.room, boxes));
     for (u32 number = item * a.chunk; number < end && boxes <= a.room; ++number) {
-        const Box box = LOAD(new_boxes, number);
+        const Box box = LOAD(Box, new_boxes, number);
         AT(results, number) = box.end - box.begin;
         AT(results, boxes + number) = box.width;
     }
     for (u32 number = item * a.chunk; number < end; ++number) {
         // A loop of its own: items in lockstep skip together, then work together.
-        while (number < end && LOAD(new_origins, number).radius != 0u) ++number;
+        while (number < end && LOAD(Origin, new_origins, number).radius != 0u) ++number;
         if (number == end) break;
-        const Touched touched = touched_by(grids, LOAD(new_boxes, number));
-        Origin origin = LOAD(new_origins, number);
+        const Touched touched = touched_by(grids, LOAD(Box, new_boxes, number));
+        Origin origin = LOAD(Origin, new_origins, number);
         origin.radius = radius_under(under(ON grids, touched));
         STORE(new_origins, number, origin);
     }

@@ -84,7 +84,7 @@ BODY Radii radii_over(MEMORY const PixelGrid field, const Pixels pixels) {
     Radii all = {0u, 0u};
     for (u32 i = pixels.first_column >> level.shift; i <= pixels.last_column >> level.shift; ++i) {
         for (u32 j = pixels.first_row >> level.shift; j <= pixels.last_row >> level.shift; ++j) {
-            const Radii value = LOAD(radius_bounds, level.first + i * level.rows + j);
+            const Radii value = LOAD(Radii, radius_bounds, level.first + i * level.rows + j);
             all.least = least_of_radii(all.least, value.least);
             all.greatest = greatest_of_radii(all.greatest, value.greatest);
         }
@@ -172,7 +172,7 @@ BODY u32 radius_under(const Under all) {
 BODY u32 radius_at(MEMORY const Grids grids, const u32 x, const u32 y) {
     const PixelGrid field = grids.field;
     const u32 pixel = pixel_of(field.columns, x) * field.rows.pixels + pixel_of(field.rows, y);
-    const u32 radius = LOAD(radius_bounds, pixel).greatest & ~HAS_ZEROS;
+    const u32 radius = LOAD(Radii, radius_bounds, pixel).greatest & ~HAS_ZEROS;
     if (!has_mask(grids)) return radius;
     const PixelGrid mask = grids.mask;
     const Node root = {0u, mask.columns.root};

@@ -27,16 +27,16 @@ BODY bool is_within(const u32 at, const u32 radius, const Span part, const Span 
 // there. `root` is the node of the whole sheet.
 BODY u32 node_around(MEMORY const DrawArguments a, const Candidate candidate, const u32 radius,
                      const u32 root) {
-    const Box all = LOAD(tree_boxes, root);
-    u32 node = LOAD(node_of, candidate.home).node;
+    const Box all = LOAD(Box, tree_boxes, root);
+    u32 node = LOAD(BlockNode, node_of, candidate.home).node;
     while (node > root) {  // a part has a higher number than what it is a part of
-        const Box box = LOAD(tree_boxes, node);
+        const Box box = LOAD(Box, tree_boxes, node);
         if (is_within(candidate.x, radius, span_of(box.x, box.x + box.width),
                       span_of(all.x, all.x + all.width), a.g.period_x) &&
             is_within(candidate.y, radius, span_of(box.begin, box.end), span_of(all.begin, all.end),
                       a.g.period_y))
             break;
-        node = LOAD(tree_links, node).whole;
+        node = LOAD(Links, tree_links, node).whole;
     }
     return node;
 }
@@ -44,8 +44,8 @@ BODY u32 node_around(MEMORY const DrawArguments a, const Candidate candidate, co
 // Lists a candidate for its own block and the open ones of one sheet that it reaches, and returns
 // the node after the sheet. `root` is the node of the whole sheet.
 BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root) {
-    const Candidate candidate = LOAD(candidates, i);
-    const u32 sheet_x = LOAD(tree_boxes, root).x;
+    const Candidate candidate = LOAD(Candidate, candidates, i);
+    const u32 sheet_x = LOAD(Box, tree_boxes, root).x;
     const u32 factor = factor_of(ON a.g, candidate.x, sheet_x);
     const Sized there = {x_beside(candidate.x, sheet_x, a.g.sheet_bits), candidate.y,
                          AT(candidate_radii, i)};
@@ -60,12 +60,12 @@ BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root
     if (has_ellipse) ellipse = ellipse_at(ON candidate.x, candidate.y);
     const bool has_classes = a.g.sheet_bits != BITS_OF_ONE_SHEET;
     const bool is_all = a.first_node == ALL_NODES;
-    const u32 next = LOAD(tree_links, first).next;
+    const u32 next = LOAD(Links, tree_links, first).next;
     const u32 end = is_all ? next : min(next, a.first_node + NODES_AT_ONCE);
     u32 node = is_all ? first : max(first, a.first_node);
     while (node < end) {
-        const Links links = LOAD(tree_links, node);
-        const Box box = LOAD(tree_boxes, node);
+        const Links links = LOAD(Links, tree_links, node);
+        const Box box = LOAD(Box, tree_boxes, node);
         const bool is_closed = has_classes && AT(open_parts, node) == 0u;
         const bool is_own = there.x == candidate.x && there.x - box.x < box.width &&
                             there.y >= box.begin && there.y < box.end;
@@ -84,13 +84,13 @@ BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root
         const Visitor visitor = {i, earlier};
         STORE(visitors, number, visitor);
     }
-    return LOAD(tree_links, root).next;
+    return LOAD(Links, tree_links, root).next;
 }
 
 // Lists a candidate for all blocks that it reaches. If the room is too small, the rest is only
 // counted: the host sees the number, makes room and launches again.
 BODY void list_reached(MEMORY const DrawArguments a, const u32 i) {
-    const u32 end = LOAD(tree_links, 0u).next;
+    const u32 end = LOAD(Links, tree_links, 0u).next;
     u32 root = a.g.sheet_bits == BITS_OF_ONE_SHEET ? 0u : 1u;  // sheets are the parts of node 0
     while (root < end) root = list_on_sheet(ON a, i, root);
 }

@@ -38,9 +38,9 @@ BODY void serve_split(MEMORY const StripArguments a, const u32 item) {
     const u32 end = min((item + 1u) * a.chunk, a.boxes);
     for (u32 number = item * a.chunk; number < end; ++number) {
         // A loop of its own: items in lockstep skip together, then work together.
-        while (number < end && (LOAD(origins, number).radius & IS_EVEN) != 0u) ++number;
+        while (number < end && (LOAD(Origin, origins, number).radius & IS_EVEN) != 0u) ++number;
         if (number == end) break;
-        const Box box = LOAD(boxes, number);
+        const Box box = LOAD(Box, boxes, number);
         const Touched touched = touched_by(grids, box);
         const u32 cut = cut_x(grids, box, touched, under(ON grids, touched));
         const u32 x = cut == 0u ? box.x + box.width : cut;

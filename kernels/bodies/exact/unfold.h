@@ -12,7 +12,7 @@ BODY void serve_unfold(MEMORY const SlabArguments a, const u32 item) {
     const u32 count = AT(span_counts, tile);
     u32 next = a.block_bits == 0u ? 0u : sum_before(ON tile, a.block_bits);
     for (u32 i = 0u; i < count; ++i) {
-        const Span span = LOAD(spans, slot + i);
+        const Span span = LOAD(Span, spans, slot + i);
         if (a.block_bits == 0u) {
             next += (span.end - 1u) / side - span.begin / side + 1u;
             continue;

@@ -19,7 +19,7 @@ BODY Decided decide_by_cell(MEMORY const Geometry g, const Decided before, const
     Decided all = before;
     for (u32 i = head; i != NO_SAMPLE && !all.is_rejected; i = AT(next_candidates, i)) {
         ++all.looks;
-        const Candidate other = LOAD(candidates, i);
+        const Candidate other = LOAD(Candidate, candidates, i);
         if (other.order >= order) continue;
         if (!are_closer(other.x, other.y, x, y, g.period_x, g.period_y, g.radius_squared)) continue;
         // An admitted candidate rejects this one; an undecided one may reject it later.

@@ -6,5 +6,5 @@ BODY void serve_grow(MEMORY const SlabArguments a, const u32 item) {
     const u32 from = (tile - a.slab_begin) * a.g.capacity;
     const u32 to = (tile - a.to_begin) * a.larger;
     const u32 count = AT(span_counts, tile);
-    for (u32 i = 0u; i < count; ++i) STORE(new_spans, to + i, LOAD(spans, from + i));
+    for (u32 i = 0u; i < count; ++i) STORE(new_spans, to + i, LOAD(Span, spans, from + i));
 }

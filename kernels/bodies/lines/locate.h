@@ -26,18 +26,18 @@ BODY void serve_locate(MEMORY const SlabArguments a, const u32 item) {
     u32 passed = 0u;  // free length of the line below the span
     Span span = span_of(0u, 0u);
     for (u32 i = begin; i < end; ++i) {
-        const Draw draw = LOAD(draws, i);
+        const Draw draw = LOAD(Draw, draws, i);
         const u32 its_tile = tile_of_rank(ON draw.bin * a.tiles, a.tiles, draw.rank);
         if (its_tile != tile) {
             tile = its_tile;
             slot = (tile - a.slab_begin) * a.g.capacity;
             passed = AT(tile_begins, tile);
-            span = LOAD(spans, slot);
+            span = LOAD(Span, spans, slot);
         }
         while (draw.rank - passed >= span.end - span.begin) {
             passed += span.end - span.begin;
             ++slot;
-            span = LOAD(spans, slot);
+            span = LOAD(Span, spans, slot);
         }
         const Candidate candidate = {draw.bin * a.g.strip_width + draw.offset,
                                      span.begin + (draw.rank - passed), draw.bin, draw.order};

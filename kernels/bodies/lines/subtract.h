@@ -22,19 +22,20 @@ struct Gap {
 LACUNA_TYPEDEF(Gap)
 
 BODY Span span_below(MEMORY const Gap gap) {
-    if (gap.done > gap.slot) return LOAD(spans, gap.done - 1u);
+    if (gap.done > gap.slot) return LOAD(Span, spans, gap.done - 1u);
     return span_of(0u, 0u);
 }
 
 BODY Span span_above(MEMORY const Gap gap) {
-    if (gap.rest < gap.end) return LOAD(spans, gap.rest);
+    if (gap.rest < gap.end) return LOAD(Span, spans, gap.rest);
     return span_of(NO_SAMPLE, NO_SAMPLE);
 }
 
 // Moves the spans above the gap to the end of the memory. If they are there already, nothing fits.
 BODY Gap open_gap(MEMORY Gap gap) {
     const u32 shift = gap.room - gap.end;
-    for (u32 i = gap.end; i > gap.rest; --i) STORE(spans, i - 1u + shift, LOAD(spans, i - 1u));
+    for (u32 i = gap.end; i > gap.rest; --i)
+        STORE(spans, i - 1u + shift, LOAD(Span, spans, i - 1u));
     gap.rest += shift;
     gap.end += shift;
     gap.fits = shift > 0u;
@@ -138,15 +139,15 @@ BODY void serve_subtract(MEMORY const SlabArguments a, const u32 item) {
                AT(tile_lengths, tile),
                true,
                span_of(0u, 0u),
-               LOAD(spans, slot)};
+               LOAD(Span, spans, slot)};
     for (u32 i = list * a.near_room; i < near_end && gap.fits; ++i)
-        gap = cut_by_sample(ON g, gap, centre, LOAD(near, i), windows, begin, end);
+        gap = cut_by_sample(ON g, gap, centre, LOAD(Spot, near, i), windows, begin, end);
     if (!gap.fits) ATOMIC_SET(report, OVERFLOW_WORD, 1u);
 
     // Close the gap.
     if (gap.done == gap.rest) gap.done = gap.rest = gap.end;
     while (gap.rest < gap.end) {
-        STORE(spans, gap.done, LOAD(spans, gap.rest));
+        STORE(spans, gap.done, LOAD(Span, spans, gap.rest));
         ++gap.done;
         ++gap.rest;
     }

@@ -118,7 +118,7 @@ BODY Won with_column(const Won sum, const u32 u, const u32 column, const u32 abo
 
 BODY void give(MEMORY const LeafArguments a, const Area leaf, const Won won, const u32 id) {
     const u32 image = id % 16u;
-    const Site site = LOAD(sites, id / 16u);
+    const Site site = LOAD(Site, sites, id / 16u);
     const u64 mass = won.mass;
     add_to_share(ON id / 16u, won.points, won.mass,
                  won.moment_u + mass * leaf_offset(leaf.left, site.x, a.lattice.step_x,
@@ -139,7 +139,7 @@ BODY void share_out(MEMORY const LeafArguments a, const Area leaf, const Place p
     }
     for (u32 k = 0u; k < kept; ++k) {
         const u32 rival = place.slot + AT(winners, slot + k);
-        const u32 order = LOAD(rivals, rival).order;
+        const u32 order = LOAD(ShortLag, rivals, rival).order;
         u32 column[LEAF_SIDE];
         u32 above[LEAF_SIDE];
         for (u32 u = 0u; u < LEAF_SIDE; ++u) {

@@ -12,7 +12,7 @@ BODY void assign_crowded_point(MEMORY const LeafArguments a, const u32 hint, con
     if (mass == 0u) return;
     const u32 owner = owner_of(ON a, hint, lattice_place(u, a.lattice.step_x),
                                lattice_place(v, a.lattice.step_y));
-    const Site site = LOAD(sites, owner);
+    const Site site = LOAD(Site, sites, owner);
     const u64 wide = mass;
     add_to_share(
         ON owner, 1u, mass,

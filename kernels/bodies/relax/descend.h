@@ -13,7 +13,7 @@ BODY Pull pull_of_run(MEMORY const DescentArguments a, const Pull before, const 
                       const u32 end, const u32 x, const u32 y) {
     Pull pull = before;
     for (u32 k = begin; k < end; ++k) {
-        const Mover other = LOAD(sorted_movers, k);
+        const Mover other = LOAD(Mover, sorted_movers, k);
         const i64 dx = sign_extended(x - other.x);
         const i64 dy = sign_extended(y - other.y);
         const u64 squared = to_u64(dx * dx + dy * dy);
@@ -96,7 +96,7 @@ BODY void serve_descend(MEMORY const DescentArguments a, const u32 item) {
     const u32 end = min((item + 1u) * a.chunk, a.domain.samples);
     const u32 bits = a.domain.bits;
     for (u32 i = item * a.chunk; i < end; ++i) {
-        Mover mover = LOAD(sorted_movers, i);
+        Mover mover = LOAD(Mover, sorted_movers, i);
         Pull pull = pull_of_rows(ON a, mover.x, mover.y);
         if (a.domain.wraps == 0u) {
             const Pull edges = pull_of_edges(ON a, mover.x, mover.y);

@@ -5,7 +5,7 @@
 BODY void serve_find_cells(MEMORY const DescentArguments a, const u32 item) {
     const u32 end = min((item + 1u) * a.chunk, a.domain.samples);
     for (u32 i = item * a.chunk; i < end; ++i) {
-        const Mover mover = LOAD(movers, i);
+        const Mover mover = LOAD(Mover, movers, i);
         AT(ranks, i) = ATOMIC_ADD(counts, cell_of(a, mover.x, mover.y), 1u);
     }
 }

@@ -28,11 +28,11 @@ BODY Search search_in(MEMORY const LeafArguments a, const Area unit, const u32 l
     search.bound = 0u;
     for (u32 rest = leaves; rest != 0u; rest &= rest - 1u) {
         const Area leaf = leaf_of(a, unit, lowest_bit(rest));
-        const u64 bound = bound_by(a, LOAD(sites, AT(hints, number_of_leaf(a, leaf))), leaf);
+        const u64 bound = bound_by(a, LOAD(Site, sites, AT(hints, number_of_leaf(a, leaf))), leaf);
         search.bound = bound > search.bound ? bound : search.bound;
     }
     const Area leaf = leaf_of(a, unit, lowest_bit(leaves));
-    const Site site = LOAD(sites, AT(hints, number_of_leaf(a, leaf)));
+    const Site site = LOAD(Site, sites, AT(hints, number_of_leaf(a, leaf)));
     const u32 image = image_near(a, site, leaf);
     search.first = rival_in(site, rect_of(a, unit, image % 3u, image / 3u));
     return search;
@@ -51,7 +51,7 @@ BODY bool put_rival(MEMORY const LeafArguments a, const u32 slot, const u32 coun
                     const Rival first, const Rect box, const u32 image) {
     if (count >= RIVAL_ROOM) return false;
     const Lag lag =
-        lag_of(rival_in(LOAD(sites, number), box), first, a.lattice.step_x, a.lattice.step_y);
+        lag_of(rival_in(LOAD(Site, sites, number), box), first, a.lattice.step_x, a.lattice.step_y);
     const ShortLag rival = {to_i32(to_u32(lag.at)), to_i32(to_u32(lag.along_x)),
                             to_i32(to_u32(lag.along_y)),
                             AT(indices, number) * 16u + order_of_image(image)};
@@ -78,7 +78,7 @@ BODY u32 near_sites(MEMORY const LeafArguments a, const u32 first, const Search 
     const u32 height = to_u32(box.top - box.bottom);
     u32 near = 0u;
     for (u32 i = 0u; i < 8u; ++i) {
-        const Site site = LOAD(sites, min(first + i, a.lattice.samples - 1u));
+        const Site site = LOAD(Site, sites, min(first + i, a.lattice.samples - 1u));
         const bool is_near = power_of_site(site, box) <= search.bound &&
                              can_win(rival_in(site, box), search.first, width, height);
         near = near | (is_near && first + i < a.lattice.samples ? 1u << i : 0u);

@@ -4,13 +4,13 @@
 
 // What child i of a node has: a node of the level below, or a site.
 BODY Bounds bounds_of_child(MEMORY const SiteArguments a, const u32 i) {
-    if (a.level == 1u) return bounds_of(LOAD(sites, i));
-    return LOAD(node_boxes, a.level_begin * 8u + 1u + i);
+    if (a.level == 1u) return bounds_of(LOAD(Site, sites, i));
+    return LOAD(Bounds, node_boxes, a.level_begin * 8u + 1u + i);
 }
 
 BODY u64 weight_of_child(MEMORY const SiteArguments a, const u32 i) {
-    if (a.level == 1u) return weight_of(LOAD(sites, i));
-    return number_of(LOAD(node_weights, a.level_begin * 8u + 1u + i));
+    if (a.level == 1u) return weight_of(LOAD(Site, sites, i));
+    return number_of(LOAD(Wide, node_weights, a.level_begin * 8u + 1u + i));
 }
 
 BODY void serve_level_sites(MEMORY const SiteArguments a, const u32 item) {

@@ -13,7 +13,7 @@ BODY u32 gap_between(const u32 low, const u32 high, const u32 begin, const u32 l
 }
 
 BODY u64 distance_to_node(MEMORY const SiteArguments a, const Bounds box, const u32 index) {
-    const Bounds node = LOAD(node_boxes, index);
+    const Bounds node = LOAD(Bounds, node_boxes, index);
     return squared_length(
         gap_between(box.low_x, box.high_x, node.low_x, node.high_x, a.lattice.period_x),
         gap_between(box.low_y, box.high_y, node.low_y, node.high_y, a.lattice.period_y));
@@ -26,12 +26,12 @@ BODY u64 lower_by_leaf(MEMORY const SiteArguments a, const u32 leaf, const u32 o
     const u32 end_other = min(other * 8u + 8u, a.lattice.samples);
     u64 farthest = 0u;
     for (u32 i = leaf * 8u; i < end; ++i) {
-        const Site site = LOAD(limited, i);
+        const Site site = LOAD(Site, limited, i);
         u64 nearest = weight_of(site);
         const Bounds box = bounds_of(site);
         if (distance_to_node(ON a, box, a.level_begin + other) < nearest) {
             for (u32 j = other * 8u; j < end_other; ++j) {
-                const Site to = LOAD(sites, j);
+                const Site to = LOAD(Site, sites, j);
                 const u64 distance = power_of(site.x, site.y, to.x, to.y, 0u, a.lattice.period_x,
                                               a.lattice.period_y);
                 nearest = j != i && distance < nearest ? distance : nearest;
@@ -70,7 +70,7 @@ BODY u32 near_leaves(MEMORY const SiteArguments a, const u32 first, const Bounds
 
 // The leaf itself comes first: its sites are near each other, so that most others are skipped.
 BODY void find_nearest(MEMORY const SiteArguments a, const u32 leaf) {
-    const Bounds box = LOAD(node_boxes, a.level_begin + leaf);
+    const Bounds box = LOAD(Bounds, node_boxes, a.level_begin + leaf);
     u64 farthest = lower_by_leaf(ON a, leaf, leaf);
     Cursor at;
     at.level = a.depth;
@@ -91,15 +91,15 @@ BODY void find_nearest(MEMORY const SiteArguments a, const u32 leaf) {
 BODY void limit_leaf(MEMORY const SiteArguments a, const u32 leaf) {
     const u32 end = min(leaf * 8u + 8u, a.lattice.samples);
     for (u32 i = leaf * 8u; i < end; ++i) {
-        const Site site = LOAD(sites, i);
+        const Site site = LOAD(Site, sites, i);
         const u64 reach = reach_of_weight(a.lattice.farthest, weight_of(site));
         STORE(limited, i, with_weight(site, reach));
     }
     find_nearest(ON a, leaf);
     for (u32 i = leaf * 8u; i < end; ++i) {
-        const Site site = LOAD(sites, i);
+        const Site site = LOAD(Site, sites, i);
         const u64 weight =
-            bounded_weight(a.lattice.farthest, weight_of(site), weight_of(LOAD(limited, i)));
+            bounded_weight(a.lattice.farthest, weight_of(site), weight_of(LOAD(Site, limited, i)));
         STORE(limited, i, with_weight(site, weight));
     }
 }

@@ -3,7 +3,7 @@
 #include "portable/site_tree.h"
 
 BODY void move_site(MEMORY const SiteArguments a, const u32 i) {
-    Site site = LOAD(sites, i);
+    Site site = LOAD(Site, sites, i);
     const u64 mass = join_words(AT(shares, 4u * i + 2u), AT(shares, 4u * i + 3u));
     if (mass != 0u) {
         const u32 x =

@@ -3,7 +3,7 @@
 #include "portable/site_tree.h"
 
 BODY u64 power_of_node(MEMORY const u32 index, const Rect box) {
-    const Bounds node = LOAD(node_boxes, index);
+    const Bounds node = LOAD(Bounds, node_boxes, index);
     return least_power(to_i32(node.low_x), to_i32(node.low_y), to_i32(node.high_x),
-                       to_i32(node.high_y), number_of(LOAD(node_weights, index)), box);
+                       to_i32(node.high_y), number_of(LOAD(Wide, node_weights, index)), box);
 }

@@ -20,24 +20,24 @@ BODY u32 gap_around(const u32 low, const u32 high, const u32 at, const u32 perio
 // The site with the least power; among equals the lowest index.
 BODY u32 owner_of(MEMORY const LeafArguments a, const u32 hint, const u32 x, const u32 y) {
     u32 owner = hint;
-    u64 least = power_at(a, LOAD(sites, hint), x, y);
+    u64 least = power_at(a, LOAD(Site, sites, hint), x, y);
     Cursor at;
     at.level = a.depth;
     at.index = 0u;
     at.begin = 0u;
     while (at.level <= a.depth) {
         if (at.level != 0u) {
-            const Bounds node = LOAD(node_boxes, at.begin + at.index);
+            const Bounds node = LOAD(Bounds, node_boxes, at.begin + at.index);
             const u64 power =
                 squared_length(gap_around(node.low_x, node.high_x, x, a.lattice.period_x),
                                gap_around(node.low_y, node.high_y, y, a.lattice.period_y)) +
-                number_of(LOAD(node_weights, at.begin + at.index));
+                number_of(LOAD(Wide, node_weights, at.begin + at.index));
             if (power <= least) {
                 at = below_cursor(at);
                 continue;
             }
         } else {
-            const u64 power = power_at(a, LOAD(sites, at.index), x, y);
+            const u64 power = power_at(a, LOAD(Site, sites, at.index), x, y);
             if (power < least || (power == least && AT(indices, at.index) < AT(indices, owner))) {
                 least = power;
                 owner = at.index;

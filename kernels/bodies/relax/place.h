@@ -19,7 +19,7 @@ struct Near {
 LACUNA_TYPEDEF(Near)
 
 BODY Near near_at(MEMORY const Place place, const u32 i) {
-    const ShortLag rival = LOAD(rivals, place.slot + i);
+    const ShortLag rival = LOAD(ShortLag, rivals, place.slot + i);
     Near near;
     near.along_x = rival.along_x;
     near.along_y = rival.along_y;

@@ -184,7 +184,7 @@ TEST_P(Faults, WithARadiusFieldAreNoticed) {
          {"bodies/exact/reach.h", "(candidate.radius, greatest,",
           "(candidate.radius / 2u, greatest,"},
          {"bodies/exact/reach.h", "first == root ? a.g.period_y : 0u", "0u"},
-         {"bodies/exact/reach.h", "root) : root;", "root) : LOAD(node_of, 0u).node;"},
+         {"bodies/exact/reach.h", "root) : root;", "root) : LOAD(BlockNode, node_of, 0u).node;"},
          {"bodies/exact/decide_with_field.h", "other.order >= candidate.order",
           "other.order <= candidate.order"},
          {"bodies/exact/decide_with_field.h", "AT(candidate_radii, visitor.candidate);",
