@@ -20,13 +20,13 @@ __extension__ using Wide = unsigned __int128;
 constexpr std::uint32_t kStream = 0x57a7;  // a stream of random numbers that no other sampler uses
 
 // The cells of the curve: pixels, or equal parts of them where pixels are far from square.
-struct Cells {
+struct CurveCells {
     const Field& field;
     std::vector<std::uint16_t> masses;  // of pixels, from the lowest row up
     std::uint32_t cut_x = 1;            // cells of a pixel
     std::uint32_t cut_y = 1;
 
-    Cells(const Request& request, const Field& the_field, const Poll& poll)
+    CurveCells(const Request& request, const Field& the_field, const Poll& poll)
         : field(the_field), masses(relaxing::masses_of(field, poll)) {
         constexpr double kMostCells = 1 << 28;
         const double aspect =
@@ -73,7 +73,7 @@ struct Cells {
 // Follows the cdf along the curve, cell by cell, and puts points where it reaches their ranks.
 class Walk {
 public:
-    Walk(const Request& request, const Cells& cells, OnCurve* listener)
+    Walk(const Request& request, const CurveCells& cells, OnCurve* listener)
         : request_(request), cells_(cells), listener_(listener), mass_(cells.mass()) {
         points_.reserve(*request.count);
         find_rank();
@@ -133,7 +133,7 @@ private:
     }
 
     const Request& request_;
-    const Cells& cells_;
+    const CurveCells& cells_;
     OnCurve* listener_;
     std::uint64_t mass_;  // of all cells
     Cell cell_{0, 0};
@@ -148,7 +148,7 @@ private:
 }  // namespace
 
 std::vector<Point> stratified_points(const Request& request, const Poll& poll, OnCurve* listener) {
-    const Cells cells(request, relaxing::field_or_even(request.field), poll);
+    const CurveCells cells(request, relaxing::field_or_even(request.field), poll);
     if (listener != nullptr) listener->begin(std::uint64_t{cells.cut_x} * cells.cut_y);
     Walk walk(request, cells, listener);
     std::size_t visited = 0;
