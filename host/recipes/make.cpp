@@ -60,23 +60,17 @@ void check_moves(const Request& request, const Moves& moves) {
 Made make(const Request& request, const Moves& moves, Observer& observer) {
     check_moves(request, moves);
     Made made{.result = sample(request, observer)};
-    if (!moves.are_asked_for()) return made;
-    Made moved = move_on(made.result.points, request, moves, observer);
-    made.result.points = std::move(moved.result.points);
-    made.result.backend = moved.result.backend;  // a stratified start has none
-    made.result.device = moved.result.device;
-    note_moves(request, made.result);
-    made.relaxed = std::move(moved.relaxed);
-    return made;
+    return moves.are_asked_for() ? move_on(std::move(made), request, moves, observer) : made;
 }
 
-Made move_on(std::span<const Point> points, const Request& request, const Moves& moves,
-             Observer& observer) {
-    Relaxed relaxed = relax(points, request.field, relax_options_of(request, moves), observer);
-    Made made;
-    made.result.points = std::exchange(relaxed.points, {});
-    made.result.backend = relaxed.backend;
-    made.result.device = relaxed.device;
+Made move_on(Made made, const Request& request, const Moves& moves, Observer& observer) {
+    Result& result = made.result;
+    Relaxed relaxed =
+        relax(result.points, request.field, relax_options_of(request, moves), observer);
+    result.points = std::exchange(relaxed.points, {});
+    result.backend = relaxed.backend;  // a stratified start has none
+    result.device = relaxed.device;
+    note_moves(request, result);
     made.relaxed = std::move(relaxed);
     return made;
 }

@@ -45,9 +45,8 @@ void check_moves(const Request& request, const Moves& moves);
 // check_moves(), sample() and relax() throw.
 Made make(const Request& request, const Moves& moves, Observer& observer);
 
-// Moves points that are there. Throws what relax() throws.
-Made move_on(std::span<const Point> points, const Request& request, const Moves& moves,
-             Observer& observer);
+// Moves the points of a set. Throws what relax() throws.
+Made move_on(Made made, const Request& request, const Moves& moves, Observer& observer);
 
 // Makes the dots of several inks, ink by ink. Throws what place_inks() throws.
 Made make_in_inks(const Request& request, std::span<const InkPart> inks, const Moves& moves,

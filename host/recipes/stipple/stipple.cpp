@@ -134,9 +134,9 @@ private:
         recipes::Made placed =
             tones_.has_inks()
                 ? recipes::make_in_inks(request(), drawing::parts_of(tones_), moves, observer_)
-            : start.empty() ? recipes::make(request(), moves, observer_)
-                            : recipes::move_on(start, request(), moves, observer_);
-        if (!start.empty()) recipes::note_moves(request(), placed.result);
+            : start.empty()
+                ? recipes::make(request(), moves, observer_)
+                : recipes::move_on({.result = {.points = start}}, request(), moves, observer_);
         made_.result = std::move(placed.result);
         made_.relaxed = std::move(placed.relaxed);
     }
