@@ -23,6 +23,7 @@
 #include "pictures/importance.h"
 #include "plan/checked_request.h"
 #include "recipes/make.h"
+#include "recipes/stipple/place.h"
 #include "recipes/stipple/settled.h"
 
 namespace lacuna {
@@ -131,12 +132,10 @@ private:
                 throw BadRequest("start-points",
                                  fmt::format("({}, {})", shortest(point.x), shortest(point.y)),
                                  "must lie in the picture: is it one of other proportions?");
-        recipes::Made placed =
-            tones_.has_inks()
-                ? recipes::make_in_inks(request(), drawing::parts_of(tones_), moves, observer_)
-            : start.empty()
-                ? recipes::make(request(), moves, observer_)
-                : recipes::move_on({.result = {.points = start}}, request(), moves, observer_);
+        // Dots that are kept inside do not overhang the picture's edges either.
+        const auto edges = options_.keep_inside ? recipes::Edges::closed : recipes::Edges::open;
+        recipes::Made placed = recipes::place_dots(request(), drawing::parts_of(tones_), start,
+                                                   moves, edges, observer_);
         made_.result = std::move(placed.result);
         made_.relaxed = std::move(placed.relaxed);
     }

@@ -1,0 +1,170 @@
+// Places the dots of a picture, with dots around it if they are relaxed.
+#include "recipes/stipple/place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "base/polling.h"
+#include "plan/checked_request.h"
+
+namespace lacuna::recipes {
+namespace {
+
+double sum_of(const Field& field) {
+    return std::accumulate(field.importance.begin(), field.importance.end(), 0.0);
+}
+
+// The pixel of a picture under pixel `i` of the picture with its margin.
+std::uint32_t mirrored(std::uint32_t i, std::uint32_t margin, std::uint32_t pixels) {
+    if (i < margin) return margin - 1 - i;
+    return i < margin + pixels ? i - margin : 2 * pixels - 1 - (i - margin);
+}
+
+// A coordinate on the other side of the nearest edge, if it lies outside of [begin, end].
+double mirrored(double at, double begin, double end) {
+    if (at < begin) return std::min(2 * begin - at, end);
+    return at > end ? std::max(2 * end - at, begin) : at;
+}
+
+// The margin of a picture; of no pixels if there is none.
+class Margin {
+public:
+    Margin(const Request& request, const Moves& moves, Edges edges) : picture_(request.domain) {
+        constexpr double kSpacings = 4;
+        constexpr double kMostArea = 2;
+        const double dots = static_cast<double>(request.count.value_or(0));
+        if (edges == Edges::closed || picture_.wraps() || request.mode != Mode::stratified ||
+            moves.iterations == 0)
+            return;
+        const double columns = request.field->columns, rows = request.field->rows;
+        const double margin = std::ceil(kSpacings * std::sqrt(columns * rows / dots));
+        const double area = (columns + 2 * margin) * (rows + 2 * margin);
+        if (margin > std::min(columns, rows) || area > kMostArea * columns * rows) return;
+        pixels_ = static_cast<std::uint32_t>(margin);
+        width_ = picture_.width / columns * margin;
+        height_ = picture_.height / rows * margin;
+    }
+
+    explicit operator bool() const { return pixels_ != 0; }
+
+    // The domain of the picture and its margin.
+    Domain domain() const {
+        Domain domain = picture_;
+        domain.x0 -= width_;
+        domain.y0 -= height_;
+        domain.width += 2 * width_;
+        domain.height += 2 * height_;
+        return domain;
+    }
+
+    Field around(const Field& picture) const {
+        Field all{picture.columns + 2 * pixels_, picture.rows + 2 * pixels_, {}};
+        all.importance.resize(std::size_t{all.columns} * all.rows);
+        const auto fill_row = [&](std::size_t i) {
+            const std::size_t row = mirrored(static_cast<std::uint32_t>(i), pixels_, picture.rows);
+            const double* from = picture.importance.data() + row * picture.columns;
+            double* to = all.importance.data() + i * all.columns;
+            for (std::uint32_t column = 0; column < all.columns; ++column)
+                to[column] = from[mirrored(column, pixels_, picture.columns)];
+        };
+        for_each_polled(all.rows, ask, fill_row, all.columns);
+        return all;
+    }
+
+    bool is_around(Point point) const { return !picture_.holds(point); }
+    Point into_picture(Point point) const {
+        return {mirrored(point.x, picture_.x0, picture_.x0 + picture_.width),
+                mirrored(point.y, picture_.y0, picture_.y0 + picture_.height)};
+    }
+
+    // Of dots of one ink those of the picture, in their order: the `count` of them that lie deepest
+    // in it. These are nearly always all that lie in it. Where they are too few, the nearest dots
+    // of the margin are mirrored into it.
+    void add_deepest(std::span<const Point> dots, std::uint64_t count,
+                     std::vector<Point>& deepest) const {
+        std::vector<double> depths;  // less than 0 outside of the picture
+        for (const Point& dot : dots) {
+            const double x = dot.x - picture_.x0, y = dot.y - picture_.y0;
+            depths.push_back(std::min({x, picture_.width - x, y, picture_.height - y}));
+        }
+        std::vector<std::size_t> order(dots.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        const auto end = order.begin() + static_cast<std::ptrdiff_t>(count);
+        std::nth_element(order.begin(), end, order.end(), [&](std::size_t a, std::size_t b) {
+            return depths[a] != depths[b] ? depths[a] > depths[b] : a < b;
+        });
+        std::sort(order.begin(), end);
+        for (auto i = order.begin(); i != end; ++i) deepest.push_back(into_picture(dots[*i]));
+    }
+
+private:
+    Domain picture_;
+    std::uint32_t pixels_ = 0;  // of the margin, on each side
+    double width_ = 0;          // of the margin on the left and on the right
+    double height_ = 0;         // of the margin above and below
+};
+
+Made placed(const Request& request, std::span<const InkPart> inks, std::vector<Point> start,
+            const Moves& moves, Observer& observer) {
+    if (!inks.empty()) return make_in_inks(request, inks, moves, observer);
+    if (start.empty()) return make(request, moves, observer);
+    return move_on({.result = {.points = std::move(start)}}, request, moves, observer);
+}
+
+// The dots of the picture and its margin, and how many of each ink there are.
+struct Wide {
+    Made made{};
+    std::vector<std::uint64_t> counts{};
+};
+
+Wide placed_around(const Margin& margin, const Request& request, std::span<const InkPart> inks,
+                   std::span<const Point> start, const Moves& moves, Observer& observer) {
+    std::vector<Field> fields;
+    fields.reserve(inks.size() + 1);
+    const auto widen = [&](const Field*& field, std::uint64_t dots) {
+        const double own = sum_of(*field);
+        field = &fields.emplace_back(margin.around(*field));
+        return static_cast<std::uint64_t>(
+            std::llround(sum_of(*field) / own * static_cast<double>(dots)));
+    };
+    Wide wide;
+    std::vector<InkPart> parts(inks.begin(), inks.end());
+    for (InkPart& part : parts) wide.counts.push_back(part.dots = widen(part.field, part.dots));
+    Request all = request;
+    all.domain = margin.domain();
+    if (inks.empty()) wide.counts.push_back(*(all.count = widen(all.field, *all.count)));
+    std::vector<Point> first(start.begin(), start.end());
+    if (!start.empty())
+        for (const Point& point : sample(all, observer).points)
+            if (margin.is_around(point)) first.push_back(point);
+    wide.made = placed(all, parts, std::move(first), moves, observer);
+    return wide;
+}
+
+}  // namespace
+
+Made place_dots(const Request& request, std::span<const InkPart> inks, std::span<const Point> start,
+                const Moves& moves, Edges edges, Observer& observer) {
+    const Margin margin(request, moves, edges);
+    if (!margin) return placed(request, inks, {start.begin(), start.end()}, moves, observer);
+    check_request(request);
+    auto [made, counts] = placed_around(margin, request, inks, start, moves, observer);
+    std::span<const Point> rest = made.result.points;
+    std::vector<Point> dots;
+    // Dots that began in the picture stay in it, and each keeps its index.
+    for (std::size_t i = 0; i < start.size(); ++i) dots.push_back(margin.into_picture(rest[i]));
+    for (std::size_t k = 0; k < counts.size() && start.empty(); ++k) {
+        margin.add_deepest(rest.first(counts[k]), inks.empty() ? *request.count : inks[k].dots,
+                           dots);
+        rest = rest.subspan(counts[k]);
+    }
+    made.result.points = std::move(dots);
+    note_moves(request, made.result);
+    return std::move(made);
+}
+
+}  // namespace lacuna::recipes
