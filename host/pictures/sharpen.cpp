@@ -16,11 +16,13 @@ void sharpen(Image& image, const Importance& options) {
     blur(blurred, image.columns, image.rows, options.sharpen);
     // A smaller difference is of rounding: it must not put importance on white.
     const double least = 1e-9 * image.white;
+    // Dark shapes keep half of their light: otherwise dots at their edges would touch, as a line.
+    constexpr double kLeastShare = 0.5;
     for_each_polled(blurred.size(), ask, [&](std::size_t i) {
-        const double edge = image.luminance[i] - blurred[i];
+        double& light = image.luminance[i];
+        const double edge = light - blurred[i];
         if (std::abs(edge) < least) return;
-        image.luminance[i] =
-            std::clamp(image.luminance[i] + options.sharpen_amount * edge, 0.0, image.white);
+        light = std::clamp(light + options.sharpen_amount * edge, kLeastShare * light, image.white);
     });
 }
 

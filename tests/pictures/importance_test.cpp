@@ -81,6 +81,15 @@ TEST(Importance, IsSharpenedAtEdgesAndNotElsewhere) {
     EXPECT_NEAR(sharp[40], 0.5 + 0.5 * 53 / 125, 1e-9);
 }
 
+TEST(Importance, ThatIsSharpenedHasNoSolidRims) {
+    Values tones(40, 1.0);
+    tones.insert(tones.end(), 40, 0.25);
+    const Values sharp = importance(tones, {.sharpen = 4, .sharpen_amount = 10});
+    for (std::size_t i = 0; i < tones.size(); ++i)
+        EXPECT_LE(sharp[i], 1 - tones[i] / 2) << i;  // half of the light is left
+    EXPECT_NEAR(sharp[40], 0.875, 1e-9);
+}
+
 TEST(Importance, OfAnUnderexposedPictureIsStretchedByAutoLevels) {
     // 1,000 tones from 0 to 0.25 and four dots of white, fewer than half a percent.
     Values dark;
