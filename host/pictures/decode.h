@@ -54,5 +54,10 @@ Image decode_hdr(const Encoded& file);
 Image decode_npy(const Encoded& file);
 Image decode_tiff(const Encoded& file);
 Image decode_webp(const Encoded& file);
+Image decode_heif(const Encoded& file);
+
+// What to do with a HEIF where libheif is missing.
+inline constexpr std::string_view kFromHeif =
+    "a HEIF picture: convert it first, for example by heif-convert to PNG";
 
 }  // namespace lacuna::pictures

@@ -52,6 +52,7 @@ struct Image {
 //   TIFF    the first picture: what libtiff turns into colours of 8 bits, and 16 bits in rows, grey
 //           or RGB; its orientation is applied
 //   WebP    one picture; Exif's orientation is applied
+//   HEIC, AVIF  one picture, upright, in 8 bits; if libheif is installed
 //   PGM, PPM   P2, P3, P5 and P6, of any maxval; the first picture of the file
 //   PFM     Pf and PF, both byte orders; the size of the scale factor is not used
 //   HDR     Radiance, 32-bit_rle_rgbe and 32-bit_rle_xyze, rows from top to bottom (-Y n +X n)

@@ -47,6 +47,9 @@ constexpr std::array<Known, 18> kFormats{{{"\x89PNG\r\n\x1a\n", decode_png},
                                           {std::string_view("MM\0+", 4), decode_tiff}}};
 constexpr std::size_t kWebpAt = 8;  // after RIFF and the file's size
 constexpr Known kWebp{"WEBP", decode_webp};
+constexpr std::size_t kHeifAt = 4;  // after the size of the first box
+constexpr std::array<Known, 3> kHeif{
+    {{"ftyphei", decode_heif}, {"ftypmif1", decode_heif}, {"ftypavi", decode_heif}}};
 
 // Known formats that are not read; the message names them.
 struct Unread {
@@ -57,19 +60,16 @@ struct Unread {
 };
 
 constexpr std::string_view kToPng = "convert it first, for example to PNG";
-constexpr std::string_view kFromHeif = "convert it first, for example by heif-convert to PNG";
-constexpr std::array<Unread, 9> kUnread{{{0, "GIF8", "a GIF", kToPng},
+constexpr std::array<Unread, 6> kUnread{{{0, "GIF8", "a GIF", kToPng},
                                          {0, "BM", "a BMP", kToPng},
-                                         {4, "ftypavif", "an AVIF", kFromHeif},
-                                         {4, "ftyphei", "a HEIF", kFromHeif},
-                                         {4, "ftypmif1", "a HEIF", kFromHeif},
                                          {0, "8BPS", "a Photoshop", kToPng},
                                          {0, "v/1\1", "an OpenEXR", kToPng},
                                          {0, "%PDF", "a PDF", kToPng},
                                          {0, "<svg", "an SVG", kToPng}}};
 
 constexpr std::string_view kAllowed =
-    "must be a picture in PNG, JPEG, TIFF, WebP, PGM, PPM, PFM, Radiance HDR or NumPy's .npy";
+    "must be a picture in PNG, JPEG, TIFF, WebP, HEIC, AVIF, PGM, PPM, PFM, Radiance HDR or "
+    "NumPy's .npy";
 
 std::string size_text(Size size) {
     return fmt::format("{} x {} pixels", size.columns, size.rows);
@@ -85,6 +85,8 @@ const Known& format_of(const Encoded& file) {
     if (bytes.starts_with("RIFF") &&
         bytes.substr(std::min(kWebpAt, bytes.size())).starts_with(kWebp.magic))
         return kWebp;
+    for (const Known& heif : kHeif)
+        if (bytes.substr(std::min(kHeifAt, bytes.size())).starts_with(heif.magic)) return heif;
     if (bytes.empty()) file.refuse(fmt::format("empty: {}", kAllowed));
     for (const Unread& unread : kUnread)
         if (bytes.substr(std::min(unread.at, bytes.size())).starts_with(unread.magic))

@@ -78,8 +78,8 @@ def stipple(
     Parameters
     ----------
     image : path or array_like, shape (rows, columns) or (rows, columns, 1, 3 or 4)
-        A picture: PNG, JPEG, TIFF, WebP, PGM, PPM, PFM, Radiance HDR or .npy; or an array, row 0 on
-        top.
+        A picture: PNG, JPEG, TIFF, WebP, HEIC, AVIF, PGM, PPM, PFM, Radiance HDR or .npy; or an
+        array, row 0 on top.
         Black is 0. White is 255 or 65535 for 8-bit and 16-bit numbers; for other numbers it is 1,
         or the largest number in the array if that is over 1. 8- and 16-bit numbers are decoded as
         sRGB, and others count as light: dots and paper together reflect the picture's light. Few

@@ -91,8 +91,8 @@ spread, and so are all dots together. Files hold the dots of the first ink, then
 With --paper-size the picture lies in the middle of the paper, as large as --margin allows, and .svg
 is in mm. Without it the page is the picture, and its longer side is 512pt.
 
-Formats read are PNG, JPEG, TIFF, WebP, PGM, PPM, PFM, Radiance HDR and NumPy's .npy. For photos
-that are too dark or too light as a whole use --auto-levels.
+Formats read are PNG, JPEG, TIFF, WebP, HEIC, AVIF, PGM, PPM, PFM, Radiance HDR and NumPy's .npy.
+For photos that are too dark or too light as a whole use --auto-levels.
 )";
 
 struct StippleCommand {

@@ -2,8 +2,8 @@
 // lacuna::extras.
 //
 // What is promised
-//   - The content decides the format, never the name: PNG, JPEG, TIFF, WebP, PGM, PPM, PFM,
-//     Radiance HDR or NumPy's .npy (docs/images.md lists the variants that are read).
+//   - The content decides the format, never the name: PNG, JPEG, TIFF, WebP, HEIC, AVIF, PGM,
+//     PPM, PFM, Radiance HDR or NumPy's .npy (docs/images.md lists the variants that are read).
 //   - Importance lies in [0, 1]. It is 1 where the picture is black, and 0 where it is white: no
 //     sample ever lies there.
 //   - Importance is the same to the last bit on every machine.

@@ -1,0 +1,139 @@
+// Reads HEIF, of which HEIC and AVIF are kinds, with libheif. It is loaded for the first such
+// picture, because it is not installed everywhere, and binds the decoders of three kinds of video.
+#include "pictures/decode.h"
+
+#ifdef LACUNA_HEIF
+
+#include <dlfcn.h>
+#include <fmt/core.h>
+#include <libheif/heif.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "base/polling.h"
+#include "pictures/whole_samples.h"
+
+namespace lacuna::pictures {
+namespace {
+
+// The functions of libheif that are used. Its library is never closed.
+class Libheif {
+public:
+    static const Libheif& loaded() {
+        static const Libheif one;
+        return one;
+    }
+
+    decltype(&heif_context_alloc) alloc{};
+    decltype(&heif_context_free) free{};
+    decltype(&heif_context_read_from_memory_without_copy) read{};
+    decltype(&heif_context_get_primary_image_handle) primary{};
+    decltype(&heif_image_handle_release) release_handle{};
+    decltype(&heif_image_handle_get_width) width{};
+    decltype(&heif_image_handle_get_height) height{};
+    decltype(&heif_image_handle_has_alpha_channel) has_alpha{};
+    decltype(&heif_image_handle_is_premultiplied_alpha) is_premultiplied{};
+    decltype(&heif_decoding_options_alloc) alloc_options{};
+    decltype(&heif_decoding_options_free) free_options{};
+    decltype(&heif_decode_image) decode{};
+    decltype(&heif_image_release) release_image{};
+    decltype(&heif_image_get_plane_readonly) plane{};
+
+    bool is_whole() const { return is_whole_; }
+
+private:
+    Libheif() {
+        void* const library = ::dlopen("libheif.so.1", RTLD_NOW | RTLD_LOCAL);
+        if (library == nullptr) return;
+        const auto find = [&](auto& function, const char* name) {
+            function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
+                ::dlsym(library, name));
+            return function != nullptr;
+        };
+        is_whole_ = find(alloc, "heif_context_alloc") && find(free, "heif_context_free") &&
+                    find(read, "heif_context_read_from_memory_without_copy") &&
+                    find(primary, "heif_context_get_primary_image_handle") &&
+                    find(release_handle, "heif_image_handle_release") &&
+                    find(width, "heif_image_handle_get_width") &&
+                    find(height, "heif_image_handle_get_height") &&
+                    find(has_alpha, "heif_image_handle_has_alpha_channel") &&
+                    find(is_premultiplied, "heif_image_handle_is_premultiplied_alpha") &&
+                    find(alloc_options, "heif_decoding_options_alloc") &&
+                    find(free_options, "heif_decoding_options_free") &&
+                    find(decode, "heif_decode_image") &&
+                    find(release_image, "heif_image_release") &&
+                    find(plane, "heif_image_get_plane_readonly");
+    }
+
+    bool is_whole_ = false;
+};
+
+void check(const Encoded& file, const heif_error& error) {
+    if (error.code == heif_error_Ok) return;
+    std::string_view why = error.message;
+    if (why.ends_with('\n')) why.remove_suffix(1);
+    file.refuse(fmt::format("not a HEIF that libheif can decode: {}", why));
+}
+
+}  // namespace
+
+Image decode_heif(const Encoded& file) {
+    const Libheif& heif = Libheif::loaded();
+    if (!heif.is_whole())
+        file.refuse(
+            fmt::format("{}; libheif.so.1, which reads it, is not installed (Debian: "
+                        "libheif1)",
+                        kFromHeif));
+    const std::unique_ptr<heif_context, decltype(heif.free)> context(heif.alloc(), heif.free);
+    check(file, heif.read(context.get(), file.bytes.data(), file.bytes.size(), nullptr));
+    heif_image_handle* found = nullptr;
+    check(file, heif.primary(context.get(), &found));
+    const std::unique_ptr<heif_image_handle, decltype(heif.release_handle)> handle(
+        found, heif.release_handle);
+    const Size size{static_cast<std::uint64_t>(heif.width(found)),
+                    static_cast<std::uint64_t>(heif.height(found))};
+    check_size(file, size);
+    if (heif.is_premultiplied(found) != 0)
+        file.refuse("a HEIF whose colours are multiplied by its transparency: save it without");
+    ask_after(size.pixels());
+    const std::unique_ptr<heif_decoding_options, decltype(heif.free_options)> options(
+        heif.alloc_options(), heif.free_options);
+    options->convert_hdr_to_8bit = 1;
+    const unsigned channels = heif.has_alpha(found) != 0 ? 4 : 3;
+    heif_image* decoded = nullptr;
+    check(file,
+          heif.decode(found, &decoded, heif_colorspace_RGB,
+                      channels == 4 ? heif_chroma_interleaved_RGBA : heif_chroma_interleaved_RGB,
+                      options.get()));
+    const std::unique_ptr<heif_image, decltype(heif.release_image)> picture(decoded,
+                                                                            heif.release_image);
+    int stride = 0;
+    const std::uint8_t* const pixels = heif.plane(picture.get(), heif_channel_interleaved, &stride);
+    if (pixels == nullptr) file.refuse("not a HEIF that libheif can decode: it has no pixels");
+    Image image = make_image(file, size);
+    const std::span<double> all = image.luminance;
+    for (std::size_t y = 0; y < image.rows; ++y)
+        fill_row_from(pixels + y * static_cast<std::size_t>(stride), channels, false,
+                      all.subspan(y * image.columns, image.columns), 255, file.reading);
+    return image;
+}
+
+}  // namespace lacuna::pictures
+
+#else
+
+namespace lacuna::pictures {
+
+Image decode_heif(const Encoded& file) {
+    file.refuse(std::string(kFromHeif) + "; this program was built without libheif");
+}
+
+}  // namespace lacuna::pictures
+
+#endif
