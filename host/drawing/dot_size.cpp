@@ -10,6 +10,7 @@
 
 #include "base/polling.h"
 #include "base/power.h"
+#include "drawing/coverage.h"
 #include "drawing/dot_count.h"
 
 namespace lacuna::drawing {
@@ -70,6 +71,21 @@ double in_steps(double size) {
     const auto above = std::upper_bound(steps.begin(), steps.end(), part);
     const auto below = above - 1;
     return std::ldexp(part * part < *below * *above ? *below : *above, exponent);
+}
+
+// Makes all dots wider or narrower by one factor, at which they cover `area`. Sets that keep least
+// distances are less dense than their importance where it is great, so their dots overlap less than
+// the tables above say.
+void suit_area(std::span<double> diameters, std::span<const Point> points, const Domain& domain,
+               double area) {
+    constexpr int kHalvings = 7;
+    double least = 0.8, most = 1.25;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = (least + most) / 2;
+        const bool covers = covered_area(points, diameters, middle, domain) >= area;
+        (covers ? most : least) = middle;
+    }
+    for (double& diameter : diameters) diameter *= (least + most) / 2;
 }
 
 }  // namespace
@@ -141,6 +157,8 @@ std::vector<double> dot_diameters(std::span<const Point> points, const Field& fi
         diameters.push_back(diameter * in_steps(std::sqrt(sizing.area_at(importance) * share)) *
                             wider_at(importance, spread, sizing.solid_black));
     }
+    if (spread == Spread::random && !sizing.solid_black && field.stretches.empty())
+        suit_area(diameters, points, domain, darkness_of(field) * domain.width * domain.height);
     return diameters;
 }
 

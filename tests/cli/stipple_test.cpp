@@ -101,6 +101,18 @@ TEST(Stipple, GivenTenStepsOfGreyThenEachHasItsLightInEveryWay) {
     }
 }
 
+TEST(Stipple, GivenAPhotographThenDotsThatAreNotRelaxedHaveItsLight) {
+    const Folder folder;
+    const std::string photograph = LACUNA_EXAMPLES "/hopper.jpg", path = folder.path("drawn.png");
+    const double light = mean_of(light_of(lacuna::pictures::read_image(photograph)));
+    for (const Names& way : {Names{"--relax", "0"}, Names{"--relax", "0", "--mode", "exact"},
+                             Names{"--relax", "0", "--metric", "mean"}}) {
+        const Names sheet{"stipple", photograph, "--dpi", "300", "--quiet", "-o", path};
+        ASSERT_EQ(run(joined(sheet, way)).exit_code, 0);
+        EXPECT_NEAR(mean_of(lacuna::pictures::read_image(path)), light, 3.0 / 255) << way.back();
+    }
+}
+
 // A line and strokes lie on themselves where it is dark.
 TEST(Stipple, GivenAPhotographThenALineAndStrokesHaveItsLight) {
     const Folder folder;

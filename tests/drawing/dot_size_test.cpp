@@ -1,5 +1,6 @@
 // Dots sized by the local radius cover as much of the paper as the importance asks for.
 #include "drawing/dot_size.h"
+#include "drawing/coverage.h"
 
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
@@ -146,9 +147,33 @@ TEST(DotDiameters, GivenALightPictureThenTheDotsAreAsLargeAsItIsDarkInAll) {
     const Field field{2, 2, {0.1, 0.3, 0.2, 0.0}};
     const std::vector<Point> points(50, Point{1.5, 0.5});
     double area = 0;
-    for (const double diameter : drawing::dot_diameters(points, field, {2, 1}))
+    for (const double diameter :
+         drawing::dot_diameters(points, field, {2, 1}, drawing::Spread::even))
         area += std::numbers::pi / 4 * diameter * diameter;
     EXPECT_NEAR(area, 0.15 * 2 * 1, 1e-12);
+}
+
+// Dots of two tones that lie less densely in the dark than the tones ask for.
+TEST(DotDiameters, OfRandomDotsCoverTheDarknessThoughTheyLieAsTheyLike) {
+    const Field field{2, 1, {0.9, 0.3}};
+    const std::vector<Point> points = maximal_set({1, 1, {1}}, 0.02);
+    const std::vector<double> diameters = drawing::dot_diameters(points, field, {1, 1});
+    EXPECT_NEAR(drawing::covered_area(points, diameters, 1, {1, 1}), 0.6, 0.01);
+    EXPECT_NEAR(covered(points, diameters, {0, 1}), 0.6, 0.02);
+}
+
+TEST(CoveredArea, IsThatOfDisksAndOfTheirUnionAndWrapsOnATorus) {
+    const double quarter = std::numbers::pi / 4 * 0.25;
+    const auto area = [](std::vector<Point> points, double diameter, Domain domain) {
+        return drawing::covered_area(points, std::vector(points.size(), diameter), 1, domain);
+    };
+    EXPECT_NEAR(area({{0.5, 0.5}}, 0.5, {1, 1}), quarter, 1e-3);
+    EXPECT_NEAR(area({{0.5, 0.5}, {0.5, 0.5}}, 0.5, {1, 1}), quarter, 1e-3);
+    EXPECT_NEAR(area({{0.5, 0.5}, {1.5, 0.5}}, 0.5, {2, 1}), 2 * quarter, 2e-3);
+    EXPECT_NEAR(area({{0, 0}}, 0.5, {1, 1}), quarter / 4, 1e-3);
+    EXPECT_NEAR(area({{0, 0}}, 0.5, {1, 1, Boundary::torus}), quarter, 1e-3);
+    EXPECT_NEAR(area({{7, 9}}, 0.5, {1, 1, Boundary::box, 6.5, 8.5}), quarter, 1e-3);
+    EXPECT_EQ(area({}, 0.5, {1, 1}), 0);
 }
 
 TEST(DotDiameters, GivenADarkTopThenDotsThereAreLargerAndYGoesUpwards) {
