@@ -89,16 +89,17 @@ public:
         std::vector<double> depths;  // less than 0 outside of the picture
         for (const Point& dot : dots) {
             const double x = dot.x - picture_.x0, y = dot.y - picture_.y0;
-            depths.push_back(std::min({x, picture_.width - x, y, picture_.height - y}));
+            depths.push_back(
+                std::min(std::min(x, picture_.width - x), std::min(y, picture_.height - y)));
         }
-        std::vector<std::size_t> order(dots.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        const auto end = order.begin() + static_cast<std::ptrdiff_t>(count);
-        std::nth_element(order.begin(), end, order.end(), [&](std::size_t a, std::size_t b) {
-            return depths[a] != depths[b] ? depths[a] > depths[b] : a < b;
-        });
-        std::sort(order.begin(), end);
-        for (auto i = order.begin(); i != end; ++i) deepest.push_back(into_picture(dots[*i]));
+        std::vector<double> sorted = depths;
+        std::sort(sorted.begin(), sorted.end());
+        const auto first = sorted.end() - static_cast<std::ptrdiff_t>(count);
+        const double least = *first;
+        auto equal = std::upper_bound(first, sorted.end(), least) - first;
+        for (std::size_t i = 0; i < dots.size(); ++i)
+            if (depths[i] > least || (depths[i] == least && equal-- > 0))
+                deepest.push_back(into_picture(dots[i]));
     }
 
 private:
