@@ -89,9 +89,9 @@ def stipple(
         million. A grey pixel counts by its darkness; the longer side counts as 512 to 2048 pixels.
     start_points : PointSet or array_like, shape (N, 2), optional
         Instead of placing new dots: the dots of the picture before this one in a sequence, which
-        are moved on. Each changes its place little where the pictures are alike, and keeps its
-        index, except with ``pens`` and along a pen's path. Not with ``inks``, ``along``, ``scale``,
-        ``plot_time``, ``seed`` or ``relax=0``.
+        are moved on. Each changes its place little where the pictures are alike, jumps if it is
+        needed elsewhere, and keeps its index, except with ``pens`` and along a pen's path. Not with
+        ``inks``, ``along``, ``scale``, ``plot_time`` or ``relax=0``.
     scale : float
         The radius where the picture is black, if its longer side is 1.
     relax : int, optional
@@ -218,8 +218,6 @@ progress
     first = None if start_points is None else points_array("start_points", start_points)
     if first is not None and len(first) == 0:
         raise BadRequest("start_points: must have at least one point", "start_points")
-    if first is not None and seed is not None:
-        raise BadRequest("seed with start_points: has no effect, no new dots are placed", "seed")
     try:
         with watched(progress) as told:
             made = _core.stipple(picture, asked, palette, first, told)

@@ -91,7 +91,7 @@ def test_dots_of_the_next_picture_begin_where_those_of_the_last_lie() -> None:
     assert again.points.tobytes() == second.points.tobytes()
     start = "start_points"
     for argument, wrong in (
-        ("n", {"n": 199}), (start, {"relax": 0}), (start, {"inks": "red"}), ("seed", {"seed": 1}),
+        ("n", {"n": 199}), (start, {"relax": 0}), (start, {"inks": "red"}),
         (start, {start: np.zeros((0, 2))}), (start, {start: [[0.5, 2.0]]}),
         (start, {"mode": "stratified"}), (start, {"plot_time": "1h"}),
     ):  # fmt: skip

@@ -63,6 +63,23 @@ TEST(StippleFrames, EachDotKeepsItsIndexAndMovesLittle) {
     }
 }
 
+TEST(StippleFrames, MayBeKeptInsideAndDrawnByPens) {
+    const Folder folder;
+    for (int number = 0; number < 2; ++number) frame(folder, number);
+    const Names sequence{
+        "stipple",      "--frames", folder.path("in/*.pgm"), "--count", "300",
+        "--paper-size", "A6",       "--keep-inside",         "-o",      folder.path("{frame}.csv")};
+    for (const Names& way : {Names{"--pens", "0.5mm,0.8mm"}, Names{"--dot-size", "0.5mm"},
+                             Names{"--size-by-tone", "0.5"}}) {
+        ASSERT_EQ(run(joined(sequence, way)).exit_code, 0) << way.front();
+        for (const char* name : {"0.csv", "1.csv"}) {
+            const std::string rows = content_of(folder.path(name));
+            EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 301) << name << way.front();
+            std::filesystem::remove(folder.path(name));
+        }
+    }
+}
+
 TEST(StippleFrames, AreCheckedBeforeTheFirstIsMade) {
     const Folder folder;
     frame(folder, 0);

@@ -1,6 +1,7 @@
 // The edges of stippled pictures: dots near them lie as they do anywhere else in the picture.
 #include <gtest/gtest.h>
 #include <lacuna/stipple.h>
+#include <lacuna/verify.h>
 
 #include <algorithm>
 #include <array>
@@ -119,6 +120,36 @@ TEST(Edges, LetDotsOfAStillPictureStayWhereTheyAre) {
     const double spacing = 1 / std::sqrt(static_cast<double>(kDots));
     EXPECT_LT(ways[kDots / 2], 0.1 * spacing);
     EXPECT_LT(ways[kDots * 99 / 100], 0.6 * spacing);
+}
+
+// A dark ball of a tenth of the width that moves by nearly its width from picture to picture.
+TEST(Frames, LetAShapeThatGoesFastKeepItsDots) {
+    constexpr double kRadius = 0.05;
+    StippleOptions options = with_dots(kDots);
+    const double spacing = 1 / std::sqrt(static_cast<double>(kDots));
+    for (int frame = 0; frame < 8; ++frame) {
+        Field field = grey(200, 200, 0.2);
+        const double x = 0.15 + 0.08 * frame;
+        double inside = 0, all = 0;
+        for (std::uint32_t row = 0; row < field.rows; ++row)
+            for (std::uint32_t column = 0; column < field.columns; ++column) {
+                double& one = field.importance[row * field.columns + column];
+                const bool is_ball =
+                    std::hypot((column + 0.5) / 200 - x, (row + 0.5) / 200 - 0.5) < kRadius;
+                if (is_ball) one = 1;
+                inside += is_ball ? one : 0;
+                all += one;
+            }
+        const std::vector<Point> dots = stippled(field, options).result.points;
+        const auto in_ball = std::count_if(dots.begin(), dots.end(), [&](const Point& dot) {
+            return std::hypot(dot.x - x, dot.y - 0.5) < kRadius;
+        });
+        const double fair = inside / all * static_cast<double>(kDots);
+        EXPECT_NEAR(static_cast<double>(in_ball), fair, 0.2 * fair) << "frame " << frame;
+        const double least = least_distance(dots, {1, 1});
+        EXPECT_GT(least, 0.15 * spacing) << "frame " << frame;
+        options.start_points = dots;
+    }
 }
 
 // A bar across the upper edge, and a frame two pixels from the others.

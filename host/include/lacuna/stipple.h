@@ -62,9 +62,9 @@ struct StippleOptions {
     std::optional<Mode> start{};
     // Instead of placing new dots: the dots of the picture before this one in a sequence, which lie
     // in the domain. They are moved on, so that each changes its place little where the pictures
-    // are alike, and keeps its index, except with several pens and along a pen's path. A count must
-    // be their number. Not with inks, Tone::along, plot_seconds or 0 for relax; the seed has no
-    // effect.
+    // are alike, jumps if it is needed elsewhere, and keeps its index, except with several pens and
+    // along a pen's path. A count must be their number. Not with inks, Tone::along, plot_seconds or
+    // 0 for relax.
     std::vector<Point> start_points{};
     std::optional<Metric> metric{};  // default: mean in cells that are relaxed, else min
     // How often the dots are moved. Default: 15, but 0 with Tone::along.

@@ -6,10 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "base/polling.h"
 #include "plan/checked_request.h"
+#include "recipes/stipple/jump.h"
 
 namespace lacuna::recipes {
 namespace {
@@ -102,6 +104,28 @@ public:
                 deepest.push_back(into_picture(dots[i]));
     }
 
+    // Of the first `count` dots, which began in the picture, those that left it go to where the
+    // nearest dots of the margin came in: so each dot of a frame keeps its index.
+    std::vector<Point> kept_in_picture(std::span<const Point> dots, std::size_t count) const {
+        std::vector<Point> kept(dots.begin(), dots.begin() + static_cast<std::ptrdiff_t>(count));
+        std::vector<Point> came;
+        for (const Point& dot : dots.subspan(count))
+            if (!is_around(dot)) came.push_back(dot);
+        for (Point& dot : kept) {
+            if (!is_around(dot)) continue;
+            const auto way = [&](Point to) { return std::hypot(to.x - dot.x, to.y - dot.y); };
+            const auto nearest = std::min_element(
+                came.begin(), came.end(), [&](Point a, Point b) { return way(a) < way(b); });
+            if (nearest == came.end()) {
+                dot = into_picture(dot);
+                continue;
+            }
+            dot = *nearest;
+            came.erase(nearest);
+        }
+        return kept;
+    }
+
 private:
     Domain picture_;
     std::uint32_t pixels_ = 0;  // of the margin, on each side
@@ -138,10 +162,14 @@ Wide placed_around(const Margin& margin, const Request& request, std::span<const
     Request all = request;
     all.domain = margin.domain();
     if (inks.empty()) wide.counts.push_back(*(all.count = widen(all.field, *all.count)));
-    std::vector<Point> first(start.begin(), start.end());
-    if (!start.empty())
-        for (const Point& point : sample(all, observer).points)
-            if (margin.is_around(point)) first.push_back(point);
+    std::vector<Point> first;
+    if (!start.empty()) {
+        std::vector<Point> inside, around;
+        for (const Point& dot : sample(all, observer).points)
+            (margin.is_around(dot) ? around : inside).push_back(dot);
+        first = jumped(start, inside, request.domain);
+        first.insert(first.end(), around.begin(), around.end());
+    }
     wide.made = placed(all, parts, std::move(first), moves, observer);
     return wide;
 }
@@ -151,13 +179,16 @@ Wide placed_around(const Margin& margin, const Request& request, std::span<const
 Made place_dots(const Request& request, std::span<const InkPart> inks, std::span<const Point> start,
                 const Moves& moves, Edges edges, Observer& observer) {
     const Margin margin(request, moves, edges);
-    if (!margin) return placed(request, inks, {start.begin(), start.end()}, moves, observer);
+    if (!margin) {
+        std::vector<Point> first;
+        if (!start.empty()) first = jumped(start, sample(request, observer).points, request.domain);
+        return placed(request, inks, std::move(first), moves, observer);
+    }
     check_request(request);
     auto [made, counts] = placed_around(margin, request, inks, start, moves, observer);
     std::span<const Point> rest = made.result.points;
     std::vector<Point> dots;
-    // Dots that began in the picture stay in it, and each keeps its index.
-    for (std::size_t i = 0; i < start.size(); ++i) dots.push_back(margin.into_picture(rest[i]));
+    if (!start.empty()) dots = margin.kept_in_picture(rest, start.size());
     for (std::size_t k = 0; k < counts.size() && start.empty(); ++k) {
         margin.add_deepest(rest.first(counts[k]), inks.empty() ? *request.count : inks[k].dots,
                            dots);
