@@ -19,12 +19,16 @@ namespace {
 
 constexpr std::string_view kAllowed = "must end in .svg, .geojson, .json or .txt";
 
+Polygons decode_whole_svg(std::string_view bytes, const std::string& name, domains::Take take) {
+    return domains::decode_svg(bytes, name, take);
+}
+
 struct Known {
     std::string_view name;
     Polygons (*decode)(std::string_view bytes, const std::string& name, domains::Take take);
 };
 
-constexpr std::array<Known, 4> kFormats{{{"svg", domains::decode_svg},
+constexpr std::array<Known, 4> kFormats{{{"svg", decode_whole_svg},
                                          {"geojson", domains::decode_geojson},
                                          {"json", domains::decode_geojson},
                                          {"txt", domains::decode_rings}}};
@@ -44,43 +48,54 @@ const Known* find(std::string_view format) {
     return known == kFormats.end() ? nullptr : known;
 }
 
-}  // namespace
-
-namespace {
-
 Polygons decode(std::string_view bytes, std::string_view format, const std::string& name,
-                domains::Take take) {
+                domains::Take take, std::string_view layer) {
     const Known* const known = find(format);
     if (known == nullptr)
         throw BadRequest("format", fmt::format("{:?}", format), "must be svg, geojson or txt");
-    return known->decode(bytes, name, take);
+    Polygons polygons = layer.empty() ? known->decode(bytes, name, take)
+                                      : domains::decode_svg(bytes, name, take, layer);
+    if (!polygons.rings.empty()) return polygons;
+    const std::string where =
+        layer.empty() ? "" : fmt::format(" in the layer {}", files::excerpt(layer));
+    if (take == domains::Take::insides)
+        files::refuse(
+            name, fmt::format("no polygon{}: there must be at least one, of three points or more",
+                              where));
+    files::refuse(name, fmt::format("no line and no outline{}: there must be one", where));
+}
+
+Polygons read(const std::string& path, const char* option, domains::Take take) {
+    const auto [file, layer] = domains::file_and_layer(path);
+    const std::string format = extension_of(file);
+    if (find(format) == nullptr) throw BadRequest(option, path, std::string(kAllowed));
+    return decode(files::read_whole(file), format, files::name_of(file), take, layer);
 }
 
 }  // namespace
 
+domains::FileAndLayer domains::file_and_layer(const std::string& path) {
+    const std::size_t sharp = path.rfind('#');
+    if (sharp == std::string::npos || sharp + 1 == path.size() ||
+        extension_of(path.substr(0, sharp)) != "svg")
+        return {path, ""};
+    return {path.substr(0, sharp), path.substr(sharp + 1)};
+}
+
 Polygons read_polygons(const std::string& path) {
-    const std::string format = extension_of(path);
-    if (find(format) == nullptr) throw BadRequest("inside", path, std::string(kAllowed));
-    return decode_polygons(files::read_whole(path), format, files::name_of(path));
+    return read(path, "inside", domains::Take::insides);
 }
 
 Polygons decode_polygons(std::string_view bytes, std::string_view format, const std::string& name) {
-    Polygons polygons = decode(bytes, format, name, domains::Take::insides);
-    if (polygons.rings.empty())
-        files::refuse(name, "no polygon: there must be at least one, of three points or more");
-    return polygons;
+    return decode(bytes, format, name, domains::Take::insides, {});
 }
 
 Polygons read_lines(const std::string& path) {
-    const std::string format = extension_of(path);
-    if (find(format) == nullptr) throw BadRequest("avoid", path, std::string(kAllowed));
-    return decode_lines(files::read_whole(path), format, files::name_of(path));
+    return read(path, "avoid", domains::Take::lines);
 }
 
 Polygons decode_lines(std::string_view bytes, std::string_view format, const std::string& name) {
-    Polygons lines = decode(bytes, format, name, domains::Take::lines);
-    if (lines.rings.empty()) files::refuse(name, "no line and no outline: there must be one");
-    return lines;
+    return decode(bytes, format, name, domains::Take::lines, {});
 }
 
 std::vector<PolygonRing> fitted(Polygons polygons, const Domain& domain) {

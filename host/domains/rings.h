@@ -44,7 +44,15 @@ inline PolygonRing around_and_back(PolygonRing ring) {
     return there_and_back(std::move(ring));
 }
 
-Polygons decode_svg(std::string_view bytes, const std::string& name, Take take);
+// The parts of FILE.svg#LAYER; other paths have no layer.
+struct FileAndLayer {
+    std::string file{};
+    std::string layer{};  // an id, or Inkscape's label
+};
+FileAndLayer file_and_layer(const std::string& path);
+
+Polygons decode_svg(std::string_view bytes, const std::string& name, Take take,
+                    std::string_view layer = {});
 Polygons decode_geojson(std::string_view bytes, const std::string& name, Take take);
 Polygons decode_rings(std::string_view bytes, const std::string& name, Take take);
 

@@ -71,6 +71,7 @@ struct Inherited {
     Fill fill;
     bool is_filled = true;
     bool is_visible = true;
+    bool is_chosen = true;  // whether the element lies in the layer that is read
     // An element that changes where its shapes are in a way that is not read, and its property.
     pugi::xml_node changed{};
     Property by{};
@@ -78,12 +79,15 @@ struct Inherited {
 
 class Drawing {
 public:
-    Drawing(const std::string& name, pugi::xml_node root, const Page& page, Take take)
+    // Only what `layer`, an id or Inkscape's label, contains is read; all if it is empty.
+    Drawing(const std::string& name, pugi::xml_node root, const Page& page, Take take,
+            std::string_view layer)
         : name_(name),
           page_(page),
           take_(take),
           outline_(kTolerance * std::max(page.width, page.height), take) {
         remember(root);
+        if (!layer.empty()) layer_ = find_layer(root, layer);
     }
 
     Polygons draw(pugi::xml_node root) {
@@ -91,6 +95,7 @@ public:
         const Affine upright{1, 0, 0, -1, -page_.left, page_.top + page_.height};
         const Style style = sheets_.style_of(root);
         Inherited here = inherited(root, style, {upright, Fill::nonzero});
+        here.is_chosen = layer_.empty() || layer_ == root;
         for (const Property property :
              {Property::transform, Property::translate, Property::rotate, Property::scale})
             if (!is_none(style.of(property)))
@@ -123,6 +128,40 @@ private:
         } walker;
         walker.drawing = this;
         root.traverse(walker);
+    }
+
+    static std::string_view label_of(pugi::xml_node node) {
+        return node.attribute("inkscape:label").value();
+    }
+
+    // The element with this id or, if there is none, the only one with this label.
+    pugi::xml_node find_layer(pugi::xml_node root, std::string_view layer) const {
+        if (const auto found = by_id_.find(layer); found != by_id_.end()) return found->second;
+        struct Walker : pugi::xml_tree_walker {
+            std::string_view layer;
+            std::vector<pugi::xml_node> found;
+            std::vector<std::string_view> labels;
+            bool for_each(pugi::xml_node& node) override {
+                const std::string_view label = label_of(node);
+                if (!label.empty()) labels.push_back(label);
+                if (label == layer) found.push_back(node);
+                return true;
+            }
+        } walker;
+        walker.layer = layer;
+        root.traverse(walker);
+        if (walker.found.size() == 1) return walker.found.front();
+        constexpr std::size_t kShown = 8;
+        walker.labels.resize(std::min(walker.labels.size(), kShown));
+        files::refuse(name_,
+                      walker.found.empty()
+                          ? fmt::format("no element has the id or the label {}; labels: {}",
+                                        files::excerpt(layer),
+                                        walker.labels.empty()
+                                            ? "none"
+                                            : fmt::format("{}", fmt::join(walker.labels, ", ")))
+                          : fmt::format("{} elements have the label {}: give the id of one",
+                                        walker.found.size(), files::excerpt(layer)));
     }
 
     void read_sheet(pugi::xml_node node) {
@@ -224,11 +263,12 @@ private:
                    "is not read within another drawing: its outlines must stand in the outer "
                    "one, or in a group");
         Inherited here = inherited(node, style, outer);
+        if (node == layer_) here.is_chosen = true;
         move(node, style, here.transform);
         if (kind == "switch") return draw_first(node, here, depth + 1);
         if (is_group) return draw_children(node, here, depth + 1);
         if (kind == "use") return draw_used(node, here, depth);
-        if (here.is_visible) draw_visible(node, kind, style, here);
+        if (here.is_visible && here.is_chosen) draw_visible(node, kind, style, here);
     }
 
     void draw_visible(pugi::xml_node node, std::string_view kind, const Style& style,
@@ -382,6 +422,7 @@ private:
     std::vector<Polygon> polygons_;
     std::vector<PolygonRing> lines_;
     std::map<std::string_view, pugi::xml_node> by_id_;
+    pugi::xml_node layer_{};
     StyleSheets sheets_;
     std::size_t elements_ = 0;
     int depth_of_use_ = 0;
@@ -415,7 +456,8 @@ Page page_of(pugi::xml_node svg, const std::string& name) {
 
 }  // namespace
 
-Polygons decode_svg(std::string_view bytes, const std::string& name, Take take) {
+Polygons decode_svg(std::string_view bytes, const std::string& name, Take take,
+                    std::string_view layer) {
     pugi::xml_document document;
     const pugi::xml_parse_result parsed =
         document.load_buffer(bytes.data(), bytes.size(), pugi::parse_default | pugi::parse_pi);
@@ -429,7 +471,7 @@ Polygons decode_svg(std::string_view bytes, const std::string& name, Take take) 
     if (local_name(svg.name()) != "svg")
         files::refuse(name, fmt::format("the outermost element is <{}>: must be <svg>",
                                         files::excerpt(svg.name())));
-    return Drawing(name, svg, page_of(svg, name), take).draw(svg);
+    return Drawing(name, svg, page_of(svg, name), take, layer).draw(svg);
 }
 
 }  // namespace lacuna::domains

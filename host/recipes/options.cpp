@@ -112,8 +112,9 @@ constexpr Row kRows[] = {
      "A picture that says where points may lie: on pixels that are neither black nor transparent"},
     {{"inside", "FILE", Kind::read_file, kPlaced, {.repeats = true}},
      "Polygons that points must lie in: .svg, .geojson or .txt (`x y` on each line, a blank line "
-     "between rings); polygons that overlap are joined, each filled by its own rule; may be given "
-     "several times, and points then lie inside of any"},
+     "between rings); FILE.svg#NAME is the part with this id or Inkscape label; polygons that "
+     "overlap are joined, each filled by its own rule; may be given several times, and points then "
+     "lie inside of any"},
     {{"outside", "FILE", Kind::read_file, kPlaced, {.repeats = true}},
      "Polygons that points must not lie in, as for --inside; may be given several times"},
     {{"avoid", "FILE[:WIDTH]", Kind::obstacles, kPlaced, {.repeats = true}},

@@ -51,10 +51,11 @@ def read_polygons(path: str | bytes | os.PathLike[Any]) -> Polygons:
     Parameters
     ----------
     path : path
-        ``.svg``: the outlines of its shapes, in user units of the page. ``.geojson``, ``.json``:
-        polygons, with unchanged coordinates. ``.txt``: ``x y`` on each line, and a blank line
-        between rings. Polygons of one file that overlap are joined, each filled by its own rule.
-        docs/domains.md lists what is read and what is skipped.
+        ``.svg``: the outlines of its shapes, in user units of the page; ``map.svg#lakes`` is the
+        part with this id or Inkscape label. ``.geojson``, ``.json``: polygons, with unchanged
+        coordinates. ``.txt``: ``x y`` on each line, and a blank line between rings. Polygons of one
+        file that overlap are joined, each filled by its own rule. docs/domains.md lists what is
+        read and what is skipped.
 
     Returns
     -------

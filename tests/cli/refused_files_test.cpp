@@ -141,9 +141,12 @@ TEST(Refused, AreFilesThatCannotBeMadeBeforeTheWorkStarts) {
 
 TEST(Refused, IsToOverwriteAFileThatIsRead) {
     const Files files{
-        {"a.txt", kPoints},        {"a.json", R"({"points": [[0.5, 0.5]]})"},
-        {"p.png", kGrey},          {"p.json", kGrey},
+        {"a.txt", kPoints},
+        {"a.json", R"({"points": [[0.5, 0.5]]})"},
+        {"p.png", kGrey},
+        {"p.json", kGrey},
         {"figs/fig7.json", kGrey},
+        {"map.svg", "<svg viewBox='0 0 9 9'><rect id='land' width='9' height='9'/></svg>"},
     };
     const Refusals refusals{
         {"compare p.png --count 9 -o p.png", 2, "--output ", kOther},
@@ -155,6 +158,8 @@ TEST(Refused, IsToOverwriteAFileThatIsRead) {
         {"stipple - --count 9 -o p.png < p.png", 2,
          "--output p.png: must be another file than IMAGE -"},
         {"reproduce fig7 --runs 1 --image figs/fig7.json -o figs", 2, "--output ", kOther},
+        {"sample --inside map.svg#land --radius 1 -o map.svg", 2, "than --inside map.svg"},
+        {"sample --avoid map.svg#land:1 --radius 1 -o map.svg", 2, "than --avoid map.svg"},
         {"relax a.txt -o a.txt", 2, "--output", kOther, "than POINTS "},
         {"relax none.txt p.png -o p.png", 2, "than IMAGE ", kOther},
         {"relax a.txt >> a.txt", 2, kOther},

@@ -9,6 +9,7 @@
 
 #include "base/number_text.h"
 #include "cli/options/domain_options.h"
+#include "domains/rings.h"
 #include "files/formats.h"
 
 namespace lacuna::cli {
@@ -107,6 +108,9 @@ std::vector<GivenFile> files_read(const CommandLine& line) {
                 files.push_back({name, value});
         }
     }
+    for (GivenFile& file : files)
+        if (file.name == "--inside" || file.name == "--outside" || file.name == "--avoid")
+            file.path = domains::file_and_layer(file.path).file;
     return files;
 }
 

@@ -53,7 +53,8 @@ Mask decode_mask(std::string_view bytes, const std::string& name);
 //                    by its fill-rule, nonzero unless the file says evenodd. Coordinates are user
 //                    units of the page, which is the viewBox, or width x height in px (96 an inch).
 //                    The page's lower left corner is (0, 0). Curves become lines with an error of
-//                    at most 2^-20 of the page's longer side.
+//                    at most 2^-20 of the page's longer side. Of a path such as map.svg#lakes only
+//                    the element with this id is read, or the only one with this Inkscape label.
 //   .geojson .json   Polygon, MultiPolygon, Feature, FeatureCollection and GeometryCollection;
 //                    coordinates are not converted; points are skipped, and lines refused
 //   .txt             `x y` on each line; a blank line, or one that begins with #, ends a ring. All
