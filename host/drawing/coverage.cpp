@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/polling.h"
+#include "plan/ellipse.h"
 
 namespace lacuna::drawing {
 namespace {
@@ -23,16 +24,21 @@ public:
         covered_.resize(static_cast<std::size_t>(columns_ * rows_));
     }
 
-    void cover(Point dot, double radius) {
+    void cover(Point middle, const Ellipse& dot) {
         const double width = domain_.width / columns_, height = domain_.height / rows_;
+        const QuadraticForm form = form_of(dot);
+        // How far the ellipse reaches up; a row at y has the x between the two roots.
+        const double reach = std::sqrt(form.xx) * dot.a * dot.b;
+        const double top = middle.y + reach;
         // Positions are the middles of cells.
-        const double top = dot.y + radius;
-        for (double row = std::ceil((dot.y - radius) / height - 0.5); (row + 0.5) * height <= top;
+        for (double row = std::ceil((middle.y - reach) / height - 0.5); (row + 0.5) * height <= top;
              ++row) {
-            const double dy = (row + 0.5) * height - dot.y;
-            const double half = std::sqrt(std::max(0.0, radius * radius - dy * dy));
-            const double begin = std::ceil((dot.x - half) / width - 0.5);
-            const double end = std::floor((dot.x + half) / width + 0.5);
+            const double y = (row + 0.5) * height - middle.y;
+            const double centre = middle.x - form.xy * y / form.xx;
+            const double half =
+                std::sqrt(std::max(0.0, 1 - y / reach * (y / reach))) / std::sqrt(form.xx);
+            const double begin = std::ceil((centre - half) / width - 0.5);
+            const double end = std::floor((centre + half) / width + 0.5);
             for (double column = begin; column < end; ++column) put(column, row);
             ask_after(static_cast<std::size_t>(std::max(1.0, end - begin)));
         }
@@ -61,11 +67,12 @@ private:
 
 }  // namespace
 
-double covered_area(std::span<const Point> points, std::span<const double> diameters, double times,
+double covered_area(std::span<const Point> points, std::span<const Ellipse> dots, double times,
                     const Domain& domain) {
     Raster raster(domain, points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
-        raster.cover(domain.from_corner(points[i]), times * diameters[i] / 2);
+        raster.cover(domain.from_corner(points[i]),
+                     {times * dots[i].a, times * dots[i].b, dots[i].angle});
     return raster.area();
 }
 

@@ -7,9 +7,9 @@
 
 namespace lacuna::drawing {
 
-// The area of the domain that dots cover together, each `times` as wide as its diameter. It is
+// The area of the domain that dots cover together, each `times` as wide as its ellipse. It is
 // counted on a raster of some 64 positions a dot, 2^16 to 2^22 in all.
-double covered_area(std::span<const Point> points, std::span<const double> diameters, double times,
+double covered_area(std::span<const Point> points, std::span<const Ellipse> dots, double times,
                     const Domain& domain);
 
 }  // namespace lacuna::drawing

@@ -12,6 +12,7 @@
 #include "base/power.h"
 #include "drawing/coverage.h"
 #include "drawing/dot_count.h"
+#include "plan/ellipse.h"
 
 namespace lacuna::drawing {
 namespace {
@@ -73,19 +74,18 @@ double in_steps(double size) {
     return std::ldexp(part * part < *below * *above ? *below : *above, exponent);
 }
 
-// Makes all dots wider or narrower by one factor, at which they cover `area`. Sets that keep least
+// The factor, 0.8 to 1.25, by which all dots must be wider to cover `area`. Sets that keep least
 // distances are less dense than their importance where it is great, so their dots overlap less than
-// the tables above say.
-void suit_area(std::span<double> diameters, std::span<const Point> points, const Domain& domain,
-               double area) {
+// the tables above say; ellipses overlap more.
+double times_for(double area, std::span<const Point> points, std::span<const Ellipse> dots,
+                 const Domain& domain) {
     constexpr int kHalvings = 7;
     double least = 0.8, most = 1.25;
     for (int i = 0; i < kHalvings; ++i) {
         const double middle = (least + most) / 2;
-        const bool covers = covered_area(points, diameters, middle, domain) >= area;
-        (covers ? most : least) = middle;
+        (covered_area(points, dots, middle, domain) < area ? least : most) = middle;
     }
-    for (double& diameter : diameters) diameter *= (least + most) / 2;
+    return (least + most) / 2;
 }
 
 }  // namespace
@@ -149,6 +149,7 @@ std::vector<double> dot_diameters(std::span<const Point> points, const Field& fi
     const double diameter = std::sqrt(4 / std::numbers::pi * area);
     std::vector<double> diameters;
     diameters.reserve(points.size());
+    std::vector<Ellipse> dots;
     for (const Point& point : points) {
         ask_after(4);
         const std::size_t index = index_at(point, field, domain);
@@ -156,9 +157,13 @@ std::vector<double> dot_diameters(std::span<const Point> points, const Field& fi
         const double share = sizing.shares.empty() ? 1 : sizing.shares[index];
         diameters.push_back(diameter * in_steps(std::sqrt(sizing.area_at(importance) * share)) *
                             wider_at(importance, spread, sizing.solid_black));
+        dots.push_back(stretched(diameters.back() / 2,
+                                 field.stretches.empty() ? Stretch{} : field.stretches[index]));
     }
-    if (spread == Spread::random && !sizing.solid_black && field.stretches.empty())
-        suit_area(diameters, points, domain, darkness_of(field) * domain.width * domain.height);
+    if (spread == Spread::even || sizing.solid_black) return diameters;
+    const double times =
+        times_for(darkness_of(field) * domain.width * domain.height, points, dots, domain);
+    for (double& one : diameters) one *= times;
     return diameters;
 }
 

@@ -106,7 +106,7 @@ TEST(Stipple, GivenAPhotographThenDotsThatAreNotRelaxedHaveItsLight) {
     const std::string photograph = LACUNA_EXAMPLES "/hopper.jpg", path = folder.path("drawn.png");
     const double light = mean_of(light_of(lacuna::pictures::read_image(photograph)));
     for (const Names& way : {Names{"--relax", "0"}, Names{"--relax", "0", "--mode", "exact"},
-                             Names{"--relax", "0", "--metric", "mean"}}) {
+                             Names{"--relax", "0", "--metric", "mean"}, Names{"--along", "4"}}) {
         const Names sheet{"stipple", photograph, "--dpi", "300", "--quiet", "-o", path};
         ASSERT_EQ(run(joined(sheet, way)).exit_code, 0);
         EXPECT_NEAR(mean_of(lacuna::pictures::read_image(path)), light, 3.0 / 255) << way.back();
