@@ -80,6 +80,7 @@ std::vector<std::string_view> names_of(const lacuna_given* given, std::string_vi
     std::vector<std::string_view> names;
     if (given != nullptr && given->importance != nullptr) names.push_back(field);
     if (given != nullptr && given->kept_count != 0) names.emplace_back("keep");
+    if (given != nullptr && given->allowed != nullptr) names.emplace_back("mask");
     return names;
 }
 
@@ -91,33 +92,43 @@ public:
         if (given == nullptr) return;
         kept_ = points_of("keep", given->kept, given->kept_count);
         request.keep = kept_;
-        if (given->importance == nullptr) return;
-        if (given->columns == 0 || given->rows == 0 || given->columns > kMostSide ||
-            given->rows > kMostSide)
-            throw BadRequest("field",
-                             std::to_string(given->columns) + "x" + std::to_string(given->rows),
-                             "must have 1 to 1048576 columns and rows");
-        const double* const first = given->importance;
-        field_.emplace(Field{static_cast<std::uint32_t>(given->columns),
-                             static_cast<std::uint32_t>(given->rows),
-                             {first, first + given->columns * given->rows}});
-        request.field = &*field_;
-        if (!line.has("domain"))
-            request.domain = domain_like(field_->columns, field_->rows, request.domain.boundary);
+        const bool has_shape = line.has("domain");
+        if (given->allowed != nullptr)
+            take(mask_, "mask", given->allowed, given->mask_columns, given->mask_rows);
+        if (given->importance != nullptr)
+            take(field_, "field", given->importance, given->columns, given->rows);
+        if (mask_) request.mask = &*mask_;
+        if (field_) request.field = &*field_;
+        const auto shape = [&](const auto& raster) {
+            request.domain = domain_like(raster.columns, raster.rows, request.domain.boundary);
+        };
+        if (field_ && !has_shape) shape(*field_);
+        if (mask_ && !field_ && !has_shape) shape(*mask_);
     }
 
 private:
-    static constexpr std::size_t kMostSide = std::size_t{1} << 20;
+    template <typename Raster, typename Value>
+    static void take(std::optional<Raster>& raster, const char* option, const Value* first,
+                     std::size_t columns, std::size_t rows) {
+        constexpr std::size_t kMostSide = std::size_t{1} << 20;
+        if (columns == 0 || rows == 0 || columns > kMostSide || rows > kMostSide)
+            throw BadRequest(option, std::to_string(columns) + "x" + std::to_string(rows),
+                             "must have 1 to 1048576 columns and rows");
+        raster.emplace(Raster{static_cast<std::uint32_t>(columns),
+                              static_cast<std::uint32_t>(rows),
+                              {first, first + columns * rows}});
+    }
 
     std::vector<Point> kept_;
     std::optional<Field> field_;
+    std::optional<Mask> mask_;
 };
 
 lacuna_set* set_of(const Request& request, Result result) {
     auto set = std::make_unique<lacuna_set>();
     set->points = std::move(result.points);
-    set->facts = {request.domain.width, request.domain.height, result.radius,
-                  result.maximal ? 1 : 0};
+    set->facts = {request.domain.width,   request.domain.height, result.radius,
+                  result.maximal ? 1 : 0, request.domain.x0,     request.domain.y0};
     return set.release();
 }
 
@@ -164,6 +175,8 @@ lacuna_set* relaxed(const char* options, const lacuna_given* given, const double
     if (given != nullptr && given->kept_count != 0)
         throw BadRequest("keep", std::to_string(given->kept_count) + " points",
                          "are not for relax, which moves all points");
+    if (given != nullptr && given->allowed != nullptr)
+        throw BadRequest("mask", "given", "is not for relax, which moves points anywhere");
     Request request;
     recipes::Moves moves{.iterations = RelaxOptions().iterations};
     recipes::Targets targets = recipes::targets_of(request);
@@ -222,6 +235,7 @@ int verified(const char* options, const lacuna_given* given, const double* point
     claim.scale = request.scale.value_or(0);
     claim.domain = request.domain;
     claim.field = request.field;
+    claim.mask = request.mask;
     claim.border = request.border;
     claim.keep = request.keep;
     Watched observer;

@@ -12,7 +12,7 @@
  *
  * Options are one text, as on the command line of `lacuna sample` and the others, which give the
  * same points. What is not understood is refused, and nothing is made. So are options for which
- * there is nothing here: of files, masks and polygons, classes, ellipses and strokes, several
+ * there is nothing here: of files and polygons, classes, ellipses and strokes, several
  * seeds, how a picture is read where importance is given, and what is drawn.
  *
  * Calls may be made on several threads at once. A set may be read by several threads, until it is
@@ -47,6 +47,12 @@ typedef struct lacuna_given {
     /* Points that are there already, as of --keep: x and y, alternately. */
     const double* kept;
     size_t kept_count;
+    /* Where points may lie, as of --mask: mask_columns * mask_rows bytes, 0 where none may, row by
+     * row from the top. They are stretched over the domain, which has their shape, and a longer
+     * side of 1, unless there is a --domain or a field. */
+    const unsigned char* allowed;
+    size_t mask_columns;
+    size_t mask_rows;
 } lacuna_given;
 
 /* The version, such as "0.1.0". */
@@ -105,6 +111,9 @@ typedef struct lacuna_facts {
     double radius;
     /* 1 if no room is left for another point. */
     int maximal;
+    /* The domain's lower left corner. */
+    double x;
+    double y;
 } lacuna_facts;
 
 /* What is known of a set; all 0 for NULL. */

@@ -90,6 +90,32 @@ static void fields_say_where_points_are_wanted(void) {
     expect_error(lacuna_sample("--scale 0.02", &given), "4x0");
 }
 
+static void masks_say_where_points_may_lie(void) {
+    const unsigned char allowed[8] = {1, 0, 0, 0, 1, 0, 0, 0};
+    lacuna_given given;
+    memset(&given, 0, sizeof(given));
+    given.allowed = allowed;
+    given.mask_columns = 4;
+    given.mask_rows = 2;
+    lacuna_set* set = lacuna_sample("--radius 3 --domain 100,-50+80x40", &given);
+    const lacuna_facts facts = lacuna_describe(set);
+    EXPECT(facts.x == 100 && facts.y == -50 && facts.width == 80 && lacuna_count(set) > 40);
+    size_t i;
+    for (i = 0; i < lacuna_count(set); ++i)
+        EXPECT(lacuna_points(set)[2 * i] >= 100 && lacuna_points(set)[2 * i] <= 120);
+    EXPECT(lacuna_verify("--radius 3 --domain 100,-50+80x40", &given, lacuna_points(set),
+                         lacuna_count(set)) == 1);
+    EXPECT(lacuna_verify("--radius 3 --domain 100,-50+80x40", NULL, lacuna_points(set),
+                         lacuna_count(set)) == 0);
+    expect_error(lacuna_relax("", &given, lacuna_points(set), lacuna_count(set)), "mask");
+    lacuna_free(set);
+    set = lacuna_sample("--radius 0.05", &given);
+    EXPECT(lacuna_describe(set).height == 0.5);
+    lacuna_free(set);
+    given.mask_rows = 0;
+    expect_error(lacuna_sample("--radius 0.05", &given), "mask 4x0");
+}
+
 static void pictures_become_dots(const char* path) {
     static char content[1 << 22];
     FILE* file = fopen(path, "rb");
@@ -156,6 +182,7 @@ int main(int count, char** arguments) {
     EXPECT(strcmp(lacuna_version(), "0.1.0") == 0);
     sets_are_made_and_proven();
     fields_say_where_points_are_wanted();
+    masks_say_where_points_may_lie();
     pictures_become_dots(arguments[1]);
     what_is_not_understood_is_refused();
     calls_can_be_watched_and_stopped();
