@@ -51,7 +51,7 @@ void check_proportions(const std::vector<Frame>& frames) {
             columns = image.columns;
             rows = image.rows;
         }
-        if (image.columns * rows != image.rows * columns)
+        if (columns * image.rows != rows * image.columns)
             throw BadRequest(
                 "frames", shown(frame.image),
                 fmt::format("{}x{} pixels: must have the proportions of {}, {}x{}", image.columns,
