@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <libheif/heif.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -44,34 +45,45 @@ public:
     decltype(&heif_decode_image) decode{};
     decltype(&heif_image_release) release_image{};
     decltype(&heif_image_get_plane_readonly) plane{};
+    decltype(&heif_image_get_width) decoded_width{};
+    decltype(&heif_image_get_height) decoded_height{};
 
-    bool is_whole() const { return is_whole_; }
+    // Empty if all functions were found.
+    const std::string& missing() const { return missing_; }
 
 private:
     Libheif() {
         void* const library = ::dlopen("libheif.so.1", RTLD_NOW | RTLD_LOCAL);
-        if (library == nullptr) return;
+        if (library == nullptr) {
+            missing_ =
+                std::string("libheif cannot be loaded: ") + ::dlerror() + " (Debian: libheif1)";
+            return;
+        }
         const auto find = [&](auto& function, const char* name) {
             function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
                 ::dlsym(library, name));
-            return function != nullptr;
+            if (function == nullptr && missing_.empty())
+                missing_ = std::string("libheif.so.1 lacks ") + name;
         };
-        is_whole_ = find(alloc, "heif_context_alloc") && find(free, "heif_context_free") &&
-                    find(read, "heif_context_read_from_memory_without_copy") &&
-                    find(primary, "heif_context_get_primary_image_handle") &&
-                    find(release_handle, "heif_image_handle_release") &&
-                    find(width, "heif_image_handle_get_width") &&
-                    find(height, "heif_image_handle_get_height") &&
-                    find(has_alpha, "heif_image_handle_has_alpha_channel") &&
-                    find(is_premultiplied, "heif_image_handle_is_premultiplied_alpha") &&
-                    find(alloc_options, "heif_decoding_options_alloc") &&
-                    find(free_options, "heif_decoding_options_free") &&
-                    find(decode, "heif_decode_image") &&
-                    find(release_image, "heif_image_release") &&
-                    find(plane, "heif_image_get_plane_readonly");
+        find(alloc, "heif_context_alloc");
+        find(free, "heif_context_free");
+        find(read, "heif_context_read_from_memory_without_copy");
+        find(primary, "heif_context_get_primary_image_handle");
+        find(release_handle, "heif_image_handle_release");
+        find(width, "heif_image_handle_get_width");
+        find(height, "heif_image_handle_get_height");
+        find(has_alpha, "heif_image_handle_has_alpha_channel");
+        find(is_premultiplied, "heif_image_handle_is_premultiplied_alpha");
+        find(alloc_options, "heif_decoding_options_alloc");
+        find(free_options, "heif_decoding_options_free");
+        find(decode, "heif_decode_image");
+        find(release_image, "heif_image_release");
+        find(plane, "heif_image_get_plane_readonly");
+        find(decoded_width, "heif_image_get_width");
+        find(decoded_height, "heif_image_get_height");
     }
 
-    bool is_whole_ = false;
+    std::string missing_;
 };
 
 void check(const Encoded& file, const heif_error& error) {
@@ -85,11 +97,7 @@ void check(const Encoded& file, const heif_error& error) {
 
 Image decode_heif(const Encoded& file) {
     const Libheif& heif = Libheif::loaded();
-    if (!heif.is_whole())
-        file.refuse(
-            fmt::format("{}; libheif.so.1, which reads it, is not installed (Debian: "
-                        "libheif1)",
-                        kFromHeif));
+    if (!heif.missing().empty()) file.refuse(fmt::format("{}; {}", kFromHeif, heif.missing()));
     const std::unique_ptr<heif_context, decltype(heif.free)> context(heif.alloc(), heif.free);
     check(file, heif.read(context.get(), file.bytes.data(), file.bytes.size(), nullptr));
     heif_image_handle* found = nullptr;
@@ -115,7 +123,16 @@ Image decode_heif(const Encoded& file) {
                                                                             heif.release_image);
     int stride = 0;
     const std::uint8_t* const pixels = heif.plane(picture.get(), heif_channel_interleaved, &stride);
-    if (pixels == nullptr) file.refuse("not a HEIF that libheif can decode: it has no pixels");
+    const auto decoded_size = [&](auto size_of) {
+        return std::max(0, size_of(picture.get(), heif_channel_interleaved));
+    };
+    const Size decoded_as{static_cast<std::uint64_t>(decoded_size(heif.decoded_width)),
+                          static_cast<std::uint64_t>(decoded_size(heif.decoded_height))};
+    // libheif does not compare what a file says with what is in it.
+    if (pixels == nullptr || decoded_as.columns != size.columns || decoded_as.rows != size.rows ||
+        static_cast<std::uint64_t>(stride) < channels * size.columns)
+        file.refuse(fmt::format("not a whole HEIF: has {} x {} pixels, but says {} x {}",
+                                decoded_as.columns, decoded_as.rows, size.columns, size.rows));
     Image image = make_image(file, size);
     const std::span<double> all = image.luminance;
     for (std::size_t y = 0; y < image.rows; ++y)

@@ -49,7 +49,7 @@ constexpr std::size_t kWebpAt = 8;  // after RIFF and the file's size
 constexpr Known kWebp{"WEBP", decode_webp};
 constexpr std::size_t kHeifAt = 4;  // after the size of the first box
 constexpr std::array<Known, 3> kHeif{
-    {{"ftyphei", decode_heif}, {"ftypmif1", decode_heif}, {"ftypavi", decode_heif}}};
+    {{"ftyphei", decode_heif}, {"ftypmif1", decode_heif}, {"ftypavif", decode_heif}}};
 
 // Known formats that are not read; the message names them.
 struct Unread {
@@ -60,7 +60,10 @@ struct Unread {
 };
 
 constexpr std::string_view kToPng = "convert it first, for example to PNG";
-constexpr std::array<Unread, 6> kUnread{{{0, "GIF8", "a GIF", kToPng},
+constexpr std::array<Unread, 9> kUnread{{{0, "GIF8", "a GIF", kToPng},
+                                         {4, "ftypavis", "an animated AVIF", kToPng},
+                                         {4, "ftyphevc", "an animated HEIF", kToPng},
+                                         {4, "ftypmsf1", "an animated HEIF", kToPng},
                                          {0, "BM", "a BMP", kToPng},
                                          {0, "8BPS", "a Photoshop", kToPng},
                                          {0, "v/1\1", "an OpenEXR", kToPng},

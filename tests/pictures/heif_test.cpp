@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "pictures/image.h"
 
@@ -114,6 +115,28 @@ TEST(AHeif, ThatCannotBeReadIsRefusedWithWhatToDo) {
         EXPECT_TRUE(is_missing || why.starts_with("f: not a HEIF that libheif can decode: "))
             << size << ": " << why;
         EXPECT_EQ(why.find('\n'), std::string::npos);
+    }
+    // The size in the header is not that of the pixels: 16 x 16 become 16 x 80 and 8 x 16.
+    if (!why_no_heif(kHeic).empty()) return;
+    for (const auto& [byte, value] : {std::pair{7, 80}, std::pair{3, 8}}) {
+        std::string other = heic;
+        for (std::size_t at = 0; (at = other.find("ispe", at)) != std::string::npos; at += 8)
+            other[at + 8 + static_cast<std::size_t>(byte)] = static_cast<char>(value);
+        const std::string why = refusal(other);
+        EXPECT_TRUE(why.starts_with("f: not a whole HEIF: has 16 x 16 pixels, but says ") ||
+                    why.starts_with("f: not a HEIF that libheif can decode: "))
+            << why;
+    }
+}
+
+TEST(AHeif, ThatIsAFilmIsRefused) {
+    std::string film = decoded(kAvif);
+    film.replace(4, 8, "ftypavis");
+    try {
+        decode_image(film, "f");
+        FAIL();
+    } catch (const FileError& error) {
+        EXPECT_TRUE(std::string_view(error.what()).starts_with("f: an animated AVIF picture: "));
     }
 }
 
