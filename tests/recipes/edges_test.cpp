@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -81,6 +82,28 @@ TEST(Edges, OfAGreyPictureHaveNoRowsOfDots) {
     });
 }
 
+// The edges are lighter than most of the picture, so dots there are far apart.
+TEST(Edges, ThatAreLightHaveNoRowsOfDotsEither) {
+    Field field = grey(100, 100, 0.05);
+    for (std::uint32_t row = 20; row < 80; ++row)
+        for (std::uint32_t column = 20; column < 80; ++column)
+            field.importance[row * field.columns + column] = 1;
+    // A quarter of a spacing of dots along the edges, and the dots in such rings.
+    const double width = std::sqrt((36 + 64 * 0.05) / (100 * 0.05 * 4 * kDots)) / 4;
+    std::array<double, 4> rings{};
+    for (std::size_t i = 0; i < 8; ++i)
+        for (const Point& dot : stippled(field, with_dots(4 * kDots + 150 * i)).result.points) {
+            const double depth = std::min({dot.x, 1 - dot.x, dot.y, 1 - dot.y});
+            const auto ring = static_cast<std::size_t>(depth / width);
+            if (ring < rings.size()) rings[ring] += 1;
+        }
+    const double mean = (rings[0] + rings[1] + rings[2] + rings[3]) / 4;
+    for (const double ring : rings) {
+        EXPECT_GT(ring, 0.7 * mean);
+        EXPECT_LT(ring, 1.35 * mean);
+    }
+}
+
 TEST(Edges, OfInksHaveNoRowsOfDots) {
     const Field field = grey(100, 100);
     expect_no_rows([&](std::size_t dots) {
@@ -122,35 +145,40 @@ TEST(Edges, LetDotsOfAStillPictureStayWhereTheyAre) {
     EXPECT_LT(ways[kDots * 99 / 100], 0.6 * spacing);
 }
 
-// A dark ball of a tenth of the width that moves by nearly its width from picture to picture.
-TEST(Frames, LetAShapeThatGoesFastKeepItsDots) {
-    constexpr double kRadius = 0.05;
+// A black ball of a fifth of the width on light paper, which moves by half of its width from
+// picture to picture, and back.
+class Ball : public testing::TestWithParam<double> {};
+
+TEST_P(Ball, ThatGoesFastKeepsItsDotsAndNoTwoLieOnEachOther) {
+    constexpr double kRadius = 0.1;
     StippleOptions options = with_dots(kDots);
-    const double spacing = 1 / std::sqrt(static_cast<double>(kDots));
-    for (int frame = 0; frame < 8; ++frame) {
-        Field field = grey(200, 200, 0.2);
-        const double x = 0.15 + 0.08 * frame;
+    for (int frame = 0; frame < 24; ++frame) {
+        Field field = grey(200, 200, GetParam());
+        const double x = 0.15 + 0.1 * (frame % 14 < 7 ? frame % 14 : 14 - frame % 14);
+        const auto is_in_ball = [&](double at_x, double at_y) {
+            return std::hypot(at_x - x, at_y - 0.5) < kRadius;
+        };
         double inside = 0, all = 0;
         for (std::uint32_t row = 0; row < field.rows; ++row)
             for (std::uint32_t column = 0; column < field.columns; ++column) {
                 double& one = field.importance[row * field.columns + column];
-                const bool is_ball =
-                    std::hypot((column + 0.5) / 200 - x, (row + 0.5) / 200 - 0.5) < kRadius;
+                const bool is_ball = is_in_ball((column + 0.5) / 200, (row + 0.5) / 200);
                 if (is_ball) one = 1;
                 inside += is_ball ? one : 0;
                 all += one;
             }
         const std::vector<Point> dots = stippled(field, options).result.points;
-        const auto in_ball = std::count_if(dots.begin(), dots.end(), [&](const Point& dot) {
-            return std::hypot(dot.x - x, dot.y - 0.5) < kRadius;
-        });
+        const auto in_ball = std::count_if(dots.begin(), dots.end(),
+                                           [&](Point dot) { return is_in_ball(dot.x, dot.y); });
         const double fair = inside / all * static_cast<double>(kDots);
         EXPECT_NEAR(static_cast<double>(in_ball), fair, 0.2 * fair) << "frame " << frame;
-        const double least = least_distance(dots, {1, 1});
-        EXPECT_GT(least, 0.15 * spacing) << "frame " << frame;
+        const double spacing = std::sqrt(std::numbers::pi * kRadius * kRadius / fair);
+        EXPECT_GT(least_distance(dots, {1, 1}), 0.1 * spacing) << "frame " << frame;
         options.start_points = dots;
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Frames, Ball, testing::Values(0.0, 0.04, 0.3));
 
 // A bar across the upper edge, and a frame two pixels from the others.
 TEST(Edges, PutNoDotIntoWhite) {
@@ -187,7 +215,8 @@ TEST(Edges, AreClosedWithFewDotsOnATorusAndIfDotsAreKeptInside) {
         const Stippling made = stippled(field, options);
         return made.result.points == alone(field, made);
     };
-    EXPECT_TRUE(is_alone(with_dots(100)));
+    EXPECT_TRUE(is_alone(with_dots(20)));
+    EXPECT_FALSE(is_alone(with_dots(100)));
     EXPECT_FALSE(is_alone(with_dots(1000)));
     StippleOptions options = with_dots(1000);
     options.request.domain.boundary = Boundary::torus;

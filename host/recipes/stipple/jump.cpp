@@ -1,22 +1,24 @@
-// Counts dots in blocks, and moves some from full blocks to empty ones.
+// Counts dots in blocks, and moves some from blocks with too many to blocks with too few.
 #include "recipes/stipple/jump.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
+
+#include "drawing/dot_size.h"
 
 namespace lacuna::recipes {
 namespace {
 
-// A grid of blocks with about nine dots each, if dots are spread evenly.
+// A grid of square blocks, a little wider than `side`.
 class Blocks {
 public:
-    Blocks(const Domain& domain, std::size_t dots) : domain_(domain) {
-        const double side = 3 * std::sqrt(domain.width * domain.height / static_cast<double>(dots));
-        columns_ = std::max(1.0, std::floor(domain.width / side));
-        rows_ = std::max(1.0, std::floor(domain.height / side));
-    }
+    Blocks(const Domain& domain, double side)
+        : domain_(domain),
+          columns_(std::max(1.0, std::floor(domain.width / side))),
+          rows_(std::max(1.0, std::floor(domain.height / side))) {}
     std::size_t count() const { return static_cast<std::size_t>(columns_ * rows_); }
     std::size_t of(Point dot) const {
         const Point way = domain_.from_corner(dot);
@@ -39,35 +41,81 @@ Counts counts_of(std::span<const Point> dots, const Blocks& blocks) {
     return counts;
 }
 
-// The indices of dots of blocks that have clearly more dots than others say: of each such block as
-// many as it has more, spread over its dots.
+// By how much the numbers of relaxed dots and of dots placed anew differ in a block of a still
+// picture, of which the smaller one is this. They differ along the block's edges alone.
+double usual_difference(std::int64_t count) {
+    return 3 * std::sqrt(std::sqrt(static_cast<double>(count) + 1));
+}
+
+// The indices of dots that lie in blocks with too many of them. `counts` are the numbers of these
+// dots in the blocks, `wanted` the numbers that there should be. Each block gives as many dots as
+// it has too many, evenly spread over its dots, if they are more than usual, or in any case.
 std::vector<std::size_t> surplus(std::span<const Point> dots, const Counts& counts,
-                                 const Counts& others, const Blocks& blocks) {
+                                 const Counts& wanted, const Blocks& blocks, bool in_any_case) {
     std::vector<std::size_t> chosen;
     Counts passed(blocks.count());
     for (std::size_t i = 0; i < dots.size(); ++i) {
         const std::size_t block = blocks.of(dots[i]);
-        const std::int64_t more = counts[block] - others[block];
-        // Relaxed dots and dots placed anew differ by so many in a still picture.
-        const std::int64_t usual = 3 + std::min(counts[block], others[block]) / 8;
+        const std::int64_t more = counts[block] - wanted[block];
+        const double usual = usual_difference(std::min(counts[block], wanted[block]));
+        if (more <= 0 || (!in_any_case && static_cast<double>(more) <= usual)) continue;
         const std::int64_t before = passed[block]++ * more / counts[block];
-        if (more > usual && passed[block] * more / counts[block] > before) chosen.push_back(i);
+        if (passed[block] * more / counts[block] > before) chosen.push_back(i);
     }
     return chosen;
 }
 
+// Dots, and the places where they may jump to, each once.
+class Jumps {
+public:
+    Jumps(std::span<Point> dots, std::span<const Point> places)
+        : dots_(dots), places_(places), taken_(places.size()) {}
+
+    // Lets as many of these dots jump as there are free ones among these places, evenly chosen.
+    void jump(const std::vector<std::size_t>& from, std::vector<std::size_t> to) {
+        to.erase(std::remove_if(to.begin(), to.end(), [&](std::size_t i) { return taken_[i]; }),
+                 to.end());
+        const std::size_t jumps = std::min(from.size(), to.size());
+        for (std::size_t k = 0; k < jumps; ++k) {
+            const std::size_t place = to[k * to.size() / jumps];
+            dots_[from[k * from.size() / jumps]] = places_[place];
+            taken_[place] = true;
+        }
+    }
+
+private:
+    std::span<Point> dots_;
+    std::span<const Point> places_;
+    std::vector<bool> taken_;
+};
+
 }  // namespace
 
 std::vector<Point> jumped(std::span<const Point> dots, std::span<const Point> fair,
-                          const Domain& domain) {
-    const Blocks blocks(domain, dots.size());
-    const Counts have = counts_of(dots, blocks), wanted = counts_of(fair, blocks);
-    const std::vector<std::size_t> from = surplus(dots, have, wanted, blocks);
-    const std::vector<std::size_t> to = surplus(fair, wanted, have, blocks);
+                          const Field& field, const Domain& domain) {
+    constexpr double kWidest = 24, kNarrowest = 0.7;  // of blocks, in mean spacings of dots
+    const double spacing =
+        std::sqrt(domain.width * domain.height / static_cast<double>(dots.size()));
     std::vector<Point> all(dots.begin(), dots.end());
-    const std::size_t jumps = std::min(from.size(), to.size());
-    for (std::size_t k = 0; k < jumps; ++k)
-        all[from[k * from.size() / jumps]] = fair[to[k * to.size() / jumps]];
+    Jumps jumps(all, fair);
+    for (double side = kWidest; side > kNarrowest; side /= 2) {
+        const Blocks blocks(domain, side * spacing);
+        const Counts have = counts_of(all, blocks), wanted = counts_of(fair, blocks);
+        jumps.jump(surplus(all, have, wanted, blocks, false),
+                   surplus(fair, wanted, have, blocks, false));
+    }
+    const auto on_white = [&] {
+        std::vector<std::size_t> found;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (drawing::importance_at(all[i], field, domain) == 0) found.push_back(i);
+        return found;
+    };
+    const Blocks blocks(domain, kNarrowest * spacing);
+    jumps.jump(on_white(),
+               surplus(fair, counts_of(fair, blocks), counts_of(all, blocks), blocks, true));
+    std::vector<std::size_t> anywhere(fair.size());
+    std::iota(anywhere.begin(), anywhere.end(), std::size_t{0});
+    jumps.jump(on_white(), anywhere);
     return all;
 }
 

@@ -8,11 +8,14 @@
 
 namespace lacuna::recipes {
 
-// The dots, of which some have jumped: from blocks of about nine dots that have clearly more dots
-// than `fair` ones, to blocks that have clearly fewer, onto fair dots there. `fair` are as many
-// dots that were placed anew. Relaxing moves a dot by a few spacings at most, so a shape that goes
-// faster would lose its dots. In a still picture hardly a dot jumps.
+// The dots of a picture before, some of which have jumped to where this picture needs them. `fair`
+// are as many dots that were placed anew, which shows how many each part of the picture needs.
+//
+// Parts that have clearly more dots than they need give them to parts that have clearly fewer:
+// blocks of many sizes, from a part of the picture's width down to a few dots. All dots on pixels
+// of importance 0 jump. In a still picture few dots do. Relaxing alone moves a dot by a few
+// spacings at most, so a shape that goes faster would lose its dots.
 std::vector<Point> jumped(std::span<const Point> dots, std::span<const Point> fair,
-                          const Domain& domain);
+                          const Field& field, const Domain& domain);
 
 }  // namespace lacuna::recipes

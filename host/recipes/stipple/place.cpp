@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "base/polling.h"
+#include "drawing/dot_count.h"
 #include "plan/checked_request.h"
 #include "recipes/stipple/jump.h"
 
@@ -17,7 +17,7 @@ namespace lacuna::recipes {
 namespace {
 
 double sum_of(const Field& field) {
-    return std::accumulate(field.importance.begin(), field.importance.end(), 0.0);
+    return drawing::darkness_of(field) * static_cast<double>(field.importance.size());
 }
 
 // The pixel of a picture under pixel `i` of the picture with its margin.
@@ -32,20 +32,43 @@ double mirrored(double at, double begin, double end) {
     return at > end ? std::max(2 * end - at, begin) : at;
 }
 
+// The least of the mean importances of the picture's four sides, without sides that are white; 0 if
+// all are.
+double lightest_side(const Field& field) {
+    const std::size_t columns = field.columns, rows = field.rows;
+    const auto mean_of = [&](std::size_t first, std::size_t step, std::size_t count) {
+        double sum = 0;
+        for (std::size_t i = 0; i < count; ++i) sum += field.importance[first + i * step];
+        return sum / static_cast<double>(count);
+    };
+    double lightest = 0;
+    for (const double side : {mean_of(0, 1, columns), mean_of((rows - 1) * columns, 1, columns),
+                              mean_of(0, columns, rows), mean_of(columns - 1, columns, rows)})
+        if (side > 0 && (lightest == 0 || side < lightest)) lightest = side;
+    return lightest;
+}
+
 // The margin of a picture; of no pixels if there is none.
 class Margin {
 public:
     Margin(const Request& request, const Moves& moves, Edges edges) : picture_(request.domain) {
         constexpr double kSpacings = 4;
-        constexpr double kMostArea = 2;
+        constexpr double kMostDots = 1e7;  // with more nobody sees rows, and memory counts
         const double dots = static_cast<double>(request.count.value_or(0));
         if (edges == Edges::closed || picture_.wraps() || request.mode != Mode::stratified ||
-            moves.iterations == 0)
+            moves.iterations == 0 || dots > kMostDots)
             return;
-        const double columns = request.field->columns, rows = request.field->rows;
-        const double margin = std::ceil(kSpacings * std::sqrt(columns * rows / dots));
-        const double area = (columns + 2 * margin) * (rows + 2 * margin);
-        if (margin > std::min(columns, rows) || area > kMostArea * columns * rows) return;
+        const Field& field = *request.field;
+        const double columns = field.columns, rows = field.rows;
+        const double lightest = lightest_side(field);
+        if (lightest == 0) return;
+        const double spacing = std::sqrt(sum_of(field) / (dots * lightest));
+        // The margin, at most as large as the picture: (columns + 2 m) (rows + 2 m) is twice its
+        // area.
+        const double half = (columns + rows) / 4;
+        const double most = std::sqrt(half * half + columns * rows / 4) - half;
+        const double margin = std::floor(std::min(most, std::ceil(kSpacings * spacing)));
+        if (margin < spacing) return;
         pixels_ = static_cast<std::uint32_t>(margin);
         width_ = picture_.width / columns * margin;
         height_ = picture_.height / rows * margin;
@@ -167,7 +190,7 @@ Wide placed_around(const Margin& margin, const Request& request, std::span<const
         std::vector<Point> inside, around;
         for (const Point& dot : sample(all, observer).points)
             (margin.is_around(dot) ? around : inside).push_back(dot);
-        first = jumped(start, inside, request.domain);
+        first = jumped(start, inside, *request.field, request.domain);
         first.insert(first.end(), around.begin(), around.end());
     }
     wide.made = placed(all, parts, std::move(first), moves, observer);
@@ -181,7 +204,8 @@ Made place_dots(const Request& request, std::span<const InkPart> inks, std::span
     const Margin margin(request, moves, edges);
     if (!margin) {
         std::vector<Point> first;
-        if (!start.empty()) first = jumped(start, sample(request, observer).points, request.domain);
+        if (!start.empty())
+            first = jumped(start, sample(request, observer).points, *request.field, request.domain);
         return placed(request, inks, std::move(first), moves, observer);
     }
     check_request(request);

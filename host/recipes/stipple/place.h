@@ -15,10 +15,10 @@ namespace lacuna::recipes {
 //
 // Dots that are relaxed in the picture alone lie in rows along its edges: the first quarter of a
 // spacing is empty, and the next one has two and a half times its share. Open edges have dots on
-// either side: in mode stratified the picture gets a margin of four mean spacings, in which it is
-// mirrored and has dots as well, and these are taken away in the end. A torus has no edges, and
-// they stay closed where the margin would double the area, as with fewer than about 370 dots.
-// Made::relaxed is about the dots of picture and margin.
+// either side: in mode stratified the picture gets a margin, in which it is mirrored and has dots
+// as well, and these are taken away in the end. The margin is four spacings of dots along the
+// lightest side, but not larger than the picture. There is none on a torus, for fewer than some 25
+// dots, and for more than 10 million. Made::relaxed is about the dots of picture and margin.
 enum class Edges { open, closed };
 Made place_dots(const Request& request, std::span<const InkPart> inks, std::span<const Point> start,
                 const Moves& moves, Edges edges, Observer& observer);
