@@ -25,6 +25,7 @@
 #include "recipes/make.h"
 #include "recipes/read.h"
 #include "recipes/settle.h"
+#include "recipes/stipple/place.h"
 
 namespace lacuna::cli {
 namespace {
@@ -126,15 +127,11 @@ Comparison compared(const CompareCommand& options, const Request& request, const
     Runs runs(contestants.size() * (options.runs + std::size_t{2}), options.quiet);
     const Sampler shown = [&](const Request& one, Observer& observer) {
         runs.start(one);
-        Result result = sampler(one, observer);
-        if (options.relax == 0) return result;
-        Relaxed relaxed =
-            relax(result.points, one.field,
-                  recipes::relax_options_of(one, {.iterations = options.relax}), observer);
-        result.points = std::move(relaxed.points);
-        result.radius = 0;               // not known: relaxing keeps no distance
-        result.device = relaxed.device;  // a stratified start has none
-        return result;
+        if (options.relax == 0) return sampler(one, observer);
+        const recipes::Moves moves{.iterations = options.relax};
+        if (options.given.is_picture)
+            return recipes::place_dots(one, {}, {}, moves, recipes::Edges::open, observer).result;
+        return recipes::move_on({.result = sampler(one, observer)}, one, moves, observer).result;
     };
     return compare(request, contestants, options.runs, shown, runs);
 }
