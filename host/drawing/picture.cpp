@@ -194,6 +194,26 @@ std::string draw_png(const files::PointSet& set, const Style& style) {
     return png_of(surface.get(), resolution);
 }
 
+// A pixel for each pixel that points may lie on: white with a point, black without.
+std::string draw_pixels(const files::PointSet& set) {
+    const Raster& raster = *set.on_pixels;
+    const Domain& domain = set.domain;
+    const Surface surface = checked(cairo_image_surface_create(
+        CAIRO_FORMAT_A8, static_cast<int>(raster.columns), static_cast<int>(raster.rows)));
+    unsigned char* const pixels = cairo_image_surface_get_data(surface.get());
+    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+    const auto place = [](double way, double side, std::uint32_t count) {
+        return static_cast<std::size_t>(std::clamp(way / side * count, 0.0, count - 1.0));
+    };
+    for (const Point& point : set.points) {
+        const Point way = domain.from_corner(point);
+        const std::size_t row = raster.rows - 1 - place(way.y, domain.height, raster.rows);
+        pixels[row * stride + place(way.x, domain.width, raster.columns)] = 255;
+    }
+    cairo_surface_mark_dirty(surface.get());
+    return png_of(surface.get(), kPointsPerInch);
+}
+
 }  // namespace
 
 double resolution_of(const files::PointSet& set, const Style& style) {
@@ -210,7 +230,7 @@ double resolution_of(const files::PointSet& set, const Style& style) {
 std::string draw(const files::PointSet& set, Medium medium, const Style& style) {
     if (medium == Medium::svg) return draw_svg(set, style);
     if (medium == Medium::pdf) return draw_pdf(set, style);
-    return draw_png(set, style);
+    return set.on_pixels ? draw_pixels(set) : draw_png(set, style);
 }
 
 }  // namespace lacuna::drawing

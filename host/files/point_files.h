@@ -60,7 +60,9 @@ struct PointSet {
     double radius = 0;
     const Origin* origin = nullptr;  // null: unknown; then is_relaxed is written to .json
     bool is_relaxed = false;         // no least distance was kept
-    const Dots* dots = nullptr;      // null: not wanted
+    std::optional<Raster>
+        on_pixels{};             // whose centres the points are: a png has one pixel for each
+    const Dots* dots = nullptr;  // null: not wanted
     // The ellipse of each point, for sets of ellipses: pictures stretch dots likewise.
     std::span<const Ellipse> ellipses{};
     bool writes_ellipses = false;  // to files with columns, too

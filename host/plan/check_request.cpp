@@ -18,10 +18,12 @@ namespace lacuna {
 namespace {
 
 constexpr double kLargestAspect = 1000.0;
+constexpr std::uint32_t kMostPixelsASide = 32767;  // of .png files
+constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 26;
 constexpr std::uint32_t kMostLinesPerRadius = 1000;
 constexpr double kMostStretch = 1000;                             // of an ellipse's radii
 constexpr double kMostAngle = 1000;                               // radians
-constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 31;     // of mode stratified
+constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 31;     // of a set without distances
 constexpr std::uint64_t kMostRoundSize = std::uint64_t{1} << 31;  // draws have 32-bit numbers
 
 // A program may cast any number to an enum.
@@ -30,7 +32,7 @@ void check_enums(const Request& request) {
         throw BadRequest(option, std::to_string(static_cast<long long>(value)), allowed);
     };
     if (name_of(request.mode).empty())
-        refuse("mode", request.mode, "must be Mode::exact, lines, cells or stratified");
+        refuse("mode", request.mode, "must be Mode::exact, lines, cells, stratified or pixels");
     if (name_of(request.metric).empty())
         refuse("metric", request.metric, "must be Metric::min, mean or max");
     if (request.domain.boundary != Boundary::box && request.domain.boundary != Boundary::torus)
@@ -96,10 +98,29 @@ void check_field(const Request& request) {
     check_stretches(request);
 }
 
-// Points along a curve keep no distance, and a part of them is a part of the domain.
-void check_stratified(const Request& request) {
-    const auto refuse = [](const char* option, const std::string& value) {
-        throw BadRequest(option, value, "is not for mode stratified, which takes a count");
+void check_raster(const Request& request) {
+    const bool has_pixels = request.on_pixels.has_value();
+    if (has_pixels != (request.mode == Mode::pixels))
+        throw BadRequest("on-pixels", has_pixels ? text_of(*request.on_pixels) : "missing",
+                         has_pixels ? "is for mode pixels" : "mode pixels needs its pixels");
+    if (!has_pixels) return;
+    const Raster& raster = *request.on_pixels;
+    const std::string value = text_of(raster);
+    if (raster.pixels() == 0 || std::max(raster.columns, raster.rows) > kMostPixelsASide ||
+        raster.pixels() > kMostPixels)
+        throw BadRequest("on-pixels", value,
+                         "each side must be 1 to " + std::to_string(kMostPixelsASide) +
+                             " pixels, all together at most " + std::to_string(kMostPixels));
+    constexpr double kBytesPerPixel = 40;
+    refuse_more_memory(request, "on-pixels", value,
+                       kBytesPerPixel * static_cast<double>(raster.pixels()));
+}
+
+// Points along a curve, or on pixels, keep no distance, and a part of them is a part of the domain.
+void check_counted(const Request& request) {
+    const std::string mode = "mode " + std::string(name_of(request.mode));
+    const auto refuse = [&](const char* option, const std::string& value) {
+        throw BadRequest(option, value, "is not for " + mode + ", which takes a count");
     };
     if (request.radius) refuse("radius", shortest(*request.radius));
     if (request.scale) refuse("scale", shortest(*request.scale));
@@ -109,7 +130,7 @@ void check_stratified(const Request& request) {
     if (request.metric != Metric::min) refuse("metric", std::string(name_of(request.metric)));
     if (request.paper2011.round_size != 0)
         refuse("round-size", std::to_string(request.paper2011.round_size));
-    if (!request.count) throw BadRequest("count", "missing", "mode stratified needs one");
+    if (!request.count) throw BadRequest("count", "missing", mode + " needs one");
     const std::string count = std::to_string(*request.count);
     if (*request.count > kMostPoints)
         throw BadRequest("count", count, "must be at most " + std::to_string(kMostPoints));
@@ -175,7 +196,8 @@ void check_request(const Request& request) {
     if (request.progressive && request.mode != Mode::exact)
         throw BadRequest("progressive", "with mode " + std::string(name_of(request.mode)),
                          "is for mode exact");
-    if (request.mode == Mode::stratified) check_stratified(request);
+    check_raster(request);
+    if (request.mode == Mode::stratified || request.mode == Mode::pixels) check_counted(request);
     check_field(request);
     check_classes(request);
     check_where(request);

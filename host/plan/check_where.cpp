@@ -41,7 +41,8 @@ void check_border(const Request& request) {
 void check_where(const Request& request) {
     const std::string mode = "with mode " + std::string(name_of(request.mode));
     const bool exact = request.mode == Mode::exact;
-    if (request.mask != nullptr && !exact) throw BadRequest("mask", mode, "is for mode exact only");
+    if (request.mask != nullptr && !exact && request.mode != Mode::pixels)
+        throw BadRequest("mask", mode, "is for modes exact and pixels");
     if (request.border != 0 && !exact) throw BadRequest("border", mode, "is for mode exact only");
     if (!request.keep.empty() && !exact) throw BadRequest("keep", mode, "is for mode exact only");
     if (request.mask != nullptr) check_mask(*request.mask);

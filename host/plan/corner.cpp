@@ -49,6 +49,10 @@ std::string text_of(const Domain& domain) {
     return shortest(domain.x0) + "," + shortest(domain.y0) + "+" + sides;
 }
 
+std::string text_of(const Raster& raster) {
+    return std::to_string(raster.columns) + "x" + std::to_string(raster.rows);
+}
+
 std::string corner_text(double x0, double y0) {
     if (x0 == 0 && y0 == 0) return "";
     return " at (" + shortest(x0) + ", " + shortest(y0) + ")";

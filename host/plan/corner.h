@@ -27,6 +27,8 @@ std::vector<Point> from_corner(std::span<const Point> points, const Domain& doma
 
 // The domain as the option has it: 2x1, or 10,20+2x1 if its corner is not (0, 0).
 std::string text_of(const Domain& domain);
+// Columns and rows as the option has them: 512x80.
+std::string text_of(const Raster& raster);
 // " at (10, 20)", to be written behind the sides; empty if the corner is (0, 0).
 std::string corner_text(double x0, double y0);
 // Its extent as intervals, with `end` behind the upper edges: [0, 2) x [0, 1).

@@ -157,8 +157,9 @@ bool needs_radius_field(const Request& request) {
 
 Plan make_plan(const CheckedRequest& checked) {
     const Request& request = *checked;
-    if (request.mode == Mode::stratified)
-        throw BadRequest("mode", "stratified", "has no rounds: must be exact, lines or cells");
+    if (request.mode == Mode::stratified || request.mode == Mode::pixels)
+        throw BadRequest("mode", std::string(name_of(request.mode)),
+                         "has no rounds: must be exact, lines or cells");
     if (request.mode == Mode::cells) return make_cells_plan(checked, sums_of(*request.field));
     if (needs_radius_field(request)) {
         check_kept_distances(request);

@@ -12,9 +12,9 @@
 
 namespace lacuna {
 
-// The plan of any mode but stratified. The request must have a radius or, with a field, a scale.
-// Throws BadRequest, also for a size that is too small or too large, or kept points that are too
-// close together at it, and MemoryRefused.
+// The plan of modes exact, lines and cells. The request must have a radius or, with a field, a
+// scale. Throws BadRequest, also for a size that is too small or too large, or kept points that are
+// too close together at it, and MemoryRefused.
 Plan make_plan(const CheckedRequest& request);
 
 // Sums over the pixels of one field, computed once for all its plans. An importance is taken as a

@@ -17,7 +17,7 @@ Claim claim_of(const Request& request, const Result& result) {
     claim.domain = request.domain;
     claim.radius = kept_distance(request, result);
     claim.distances_only = !result.maximal || request.mode != Mode::exact;
-    if (request.mode == Mode::stratified) return claim;
+    if (request.mode == Mode::stratified || request.mode == Mode::pixels) return claim;
     claim.field = request.field;
     claim.scale = request.field != nullptr ? result.scale : 0;
     claim.mask = request.mask;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "plan/corner.h"
+
 namespace lacuna::recipes {
 namespace {
 
@@ -38,7 +40,8 @@ private:
 }  // namespace
 
 Description describe(const Request& request, const Result& result) {
-    const bool is_stratified = request.mode == Mode::stratified;
+    const bool has_pixels = request.on_pixels.has_value();
+    const bool has_no_rounds = request.mode == Mode::stratified || has_pixels;
     const bool is_cells = request.mode == Mode::cells;
     const bool has_field = request.field != nullptr || result.scale > 0;  // stipple keeps no field
     Describer all(request);
@@ -50,16 +53,17 @@ Description describe(const Request& request, const Result& result) {
     }
     all.tell("boundary", std::string(request.domain.wraps() ? "torus" : "box"));
     all.tell("mode", std::string(name_of(request.mode)));
-    if (has_field && !is_stratified) all.tell("metric", std::string(name_of(request.metric)));
-    all.add("scale", has_field && !is_stratified);
-    all.add("radius", !has_field && !is_stratified);
+    if (has_pixels) all.tell("on_pixels", text_of(*request.on_pixels));
+    if (has_field && !has_no_rounds) all.tell("metric", std::string(name_of(request.metric)));
+    all.add("scale", has_field && !has_no_rounds);
+    all.add("radius", !has_field && !has_no_rounds);
     all.add("count");
-    if (!is_stratified) all.tell("lines_per_radius", std::uint64_t{result.lines_per_radius});
+    if (!has_no_rounds) all.tell("lines_per_radius", std::uint64_t{result.lines_per_radius});
     all.add("progressive", request.progressive);
-    all.add("snap", !is_cells && !is_stratified);
-    all.add("uniform-x", !is_cells && !is_stratified);
-    all.add("limit", !is_stratified);
-    all.add("round-size", !is_stratified);
+    all.add("snap", !is_cells && !has_no_rounds);
+    all.add("uniform-x", !is_cells && !has_no_rounds);
+    all.add("limit", !has_no_rounds);
+    all.add("round-size", !has_no_rounds);
     all.add("seed");
     for (const char* const elsewhere : {"torus", "border", "lines-per-radius"})
         all.add(elsewhere, false);

@@ -55,6 +55,11 @@ constexpr Row kRows[] = {
     {{"domain", "WxH", Kind::text, kUniform},
      "Width and height of the domain (default 1x1); X0,Y0+WxH with its lower left corner, such as "
      "448000,5411000+2000x1500"},
+    {{"on-pixels", "COLUMNSxROWS", Kind::text, kSample},
+     "Cuts the domain into this many pixels (and is its size, unless --domain is given): exactly "
+     "--count samples lie in the centres of pixels, at most one on each, as even as can be or, "
+     "with --field, as dense as it says. A .png has a pixel for each, white where there is a "
+     "sample"},
     {{"domain", "WxH", Kind::text, kVerify | kMoved | kAnalyze},
      "Width and height of the domain, or X0,Y0+WxH with its lower left corner (default: from a "
      ".json or a picture, or 1x1)"},
@@ -190,7 +195,7 @@ constexpr Row kRows[] = {
      "exact (default): no gap is left, every distance is at least the radius; lines: the paper's "
      "algorithm, which is approximate; stratified (default with --relax and --count): every part "
      "of the domain has its share of the points"},
-    {{"mode", "MODE", Kind::word, kCompare, {.words = Words::modes, .alias = "start"}},
+    {{"mode", "MODE", Kind::word, kCompare, {.words = Words::compared_modes, .alias = "start"}},
      "exact (default): no gap is left, every distance is at least the radius; lines: the paper's "
      "algorithm, which is approximate; stratified, or with a picture cells: as for sample and "
      "stipple"},

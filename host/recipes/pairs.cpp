@@ -54,6 +54,16 @@ constexpr Pairs kPairs[] = {
     {kSample | kVerify, "mask", Needs::none_of, "inside outside avoid",
      "draw these into the picture"},
 
+    // Pixels
+    {kSample, "on-pixels", Needs::none_of,
+     "radius scale mode limit progressive lines-per-radius round-size snap uniform-x",
+     "its samples keep no distance: give --count alone"},
+    {kSample, "on-pixels", Needs::none_of, "relax gaussian", "they move points off their pixels"},
+    {kSample, "on-pixels", Needs::none_of, "border keep class ellipses stretch along",
+     "these are for points that keep a distance"},
+    {kSample, "on-pixels", Needs::none_of, "dot-size paper-size dpi",
+     "a sample is a pixel: dots are for points in the plane"},
+
     // Moving points
     {kSample, "relax gaussian", Needs::none_of, "progressive", "it moves the points"},
     {kSample, "relax gaussian", Needs::none_of, "seeds", "relax each file with lacuna relax"},

@@ -195,6 +195,14 @@ void read_domain(const std::string& option, const std::string& text, Domain& dom
     if (parse_whole_text(view, domain.height) != std::errc{}) refuse();
 }
 
+void read_raster(const std::string& option, const std::string& text, Raster& raster) {
+    const std::string_view view = text;
+    const std::size_t cross = std::min(view.find('x'), view.size());
+    if (parse_whole_text(view.substr(0, cross), raster.columns) != std::errc{} ||
+        parse_whole_text(view.substr(std::min(cross + 1, view.size())), raster.rows) != std::errc{})
+        throw BadRequest(option, shown(text), "must be COLUMNSxROWS in pixels, such as 512x80");
+}
+
 void read_background(const std::string& text, Tone& tone) {
     if (!is_among(text, Words::backgrounds))
         throw BadRequest("background", shown(text), "must be " + listed(Words::backgrounds));

@@ -28,6 +28,9 @@ std::vector<std::string> parts_of_list(const std::string& text);
 // The sides of a domain as WIDTHxHEIGHT.
 void read_domain(const std::string& option, const std::string& text, Domain& domain);
 
+// Columns and rows of pixels as COLUMNSxROWS.
+void read_raster(const std::string& option, const std::string& text, Raster& raster);
+
 // white or black: Tone::on_black.
 void read_background(const std::string& text, Tone& tone);
 

@@ -15,6 +15,7 @@ bool is_about_distances(const Given& given, const Request& request) {
 
 Mode mode_of(const Given& given, const Request& request) {
     if (given.mode) return *given.mode;
+    if (request.on_pixels) return Mode::pixels;
     if (given.has_inks) return Mode::stratified;
     if (given.has_ellipses) return Mode::exact;
     // The dots of a picture have a number of their own; other sets need one to be stratified.

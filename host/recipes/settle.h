@@ -28,6 +28,7 @@ std::uint32_t relax_of(const Given& given);
 // before.
 //   - Points that will be relaxed begin stratified, if nothing was given that is about distances:
 //     radius, scale, metric, limit, lines per radius or round size. Inks always do.
+//   - Samples on pixels are of mode pixels.
 //   - Other dots of a picture are made in mode cells, ellipses and all other sets in mode exact.
 //   - In cells the metric is mean if the points will be relaxed. Otherwise it is min.
 // Throws BadRequest if points would be moved too often, if a stratified set would not be moved at

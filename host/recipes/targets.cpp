@@ -62,6 +62,10 @@ void read_sides(const std::string& text, Request& request) {
     read_domain("domain", text, request.domain);
 }
 
+void read_pixels(const std::string& text, Request& request) {
+    read_raster("on-pixels", text, request.on_pixels.emplace());
+}
+
 }  // namespace
 
 Targets targets_of(Request& request) {
@@ -69,6 +73,7 @@ Targets targets_of(Request& request) {
             {"count", &request.count},
             {"scale", &request.scale},
             {"domain", take_by<read_sides>(request)},
+            {"on-pixels", take_by<read_pixels>(request)},
             {"torus", &request.domain.boundary},
             {"border", &request.border},
             {"limit", &request.limit},

@@ -12,7 +12,7 @@ namespace {
 
 using Word = std::string_view;
 
-constexpr std::array<Word, 4> kModes{"exact", "lines", "cells", "stratified"};
+constexpr std::array<Word, 5> kModes{"exact", "lines", "cells", "stratified", "pixels"};
 constexpr std::array<Word, 3> kPointModes{"exact", "lines", "stratified"};
 constexpr std::array<Word, 3> kDotModes{"stratified", "cells", "exact"};
 constexpr std::array<Word, 3> kMetrics{"min", "mean", "max"};
@@ -28,13 +28,16 @@ constexpr std::array<Word, 9> kFigures{"table1", "table2", "fig3", "fig4", "fig5
 }  // namespace
 
 std::span<const Word> words_of(Words list) {
+    const std::span<const Word> modes = kModes;
     const std::span<const Word> backends = kBackends;
     const std::span<const Word> formats = kFormats;
     switch (list) {
         case Words::none:
             return {};
         case Words::modes:
-            return kModes;
+            return modes;
+        case Words::compared_modes:
+            return modes.first(4);
         case Words::point_modes:
             return kPointModes;
         case Words::dot_modes:

@@ -12,6 +12,7 @@ namespace lacuna::recipes {
 enum class Words {
     none,
     modes,           // in the order of Mode
+    compared_modes,  // of compare
     point_modes,     // of sets without a picture
     dot_modes,       // of the dots of a picture
     metrics,         // in the order of Metric

@@ -17,6 +17,7 @@
 #include "plan/plan.h"
 #include "sampling/count_search.h"
 #include "sampling/generate.h"
+#include "sampling/on_pixels.h"
 #include "sampling/progressive.h"
 #include "sampling/stratified.h"
 
@@ -64,11 +65,14 @@ private:
     Observer& observer_;
 };
 
-Result stratified(const Request& request, Observer& observer, const Poll& poll) {
+// Sets without distances, which the host makes by itself.
+Result counted(const Request& request, Observer& observer, const Poll& poll) {
     Result result;
     observer.begin(Verb::invert);
-    result.points = stratified_points(request, poll);
+    result.points =
+        request.on_pixels ? points_on_pixels(request, poll) : stratified_points(request, poll);
     observer.end(Verb::invert);
+    if (request.on_pixels) result.radius = least_pixel_step(*request.on_pixels, request.domain);
     result.draws = result.points.size();
     result.backend = "cpu";
     return result;
@@ -133,7 +137,8 @@ std::string_view name_of(Verb verb) {
 namespace {
 
 Result sample_checked(const CheckedRequest& request, Observer& observer) {
-    if (request->mode == Mode::stratified) return stratified(request, observer, ask);
+    if (request->mode == Mode::stratified || request->mode == Mode::pixels)
+        return counted(request, observer, ask);
     if (request->progressive) return progressive(request, observer, ask);
     std::optional<FieldSums> sums;
     if (request->mode == Mode::cells) sums = sums_of(*request->field, ask);

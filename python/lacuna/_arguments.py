@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     # A whole number; 1e5 and np.float64(1e5) are whole, too.
     Whole = SupportsIndex | float
-    Mode = Literal["exact", "lines", "cells", "stratified"]
+    Mode = Literal["exact", "lines", "cells", "stratified", "pixels"]
     Metric = Literal["min", "mean", "max"]
     Seed = int | float | np.integer[Any] | np.random.Generator | None
     Progress = Callable[[int, int], object]
@@ -129,6 +129,15 @@ def domain_in(name: str, value: object) -> Extent:
     return (x0, y0, x1, y1) if x0 != 0 or y0 != 0 else (x1, y1)
 
 
+def raster_in(name: str, value: object) -> tuple[int, int]:
+    """(columns, rows) of pixels."""
+    try:
+        columns, rows = value  # type: ignore[misc]
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be (columns, rows), not {shown(value)}") from None
+    return whole(name, columns, 0, 2**32 - 1), whole(name, rows, 0, 2**32 - 1)
+
+
 def corner_and_sides(domain: Extent) -> tuple[float, float, float, float]:
     """x0, y0, width and height."""
     if len(domain) == 2:
@@ -169,6 +178,7 @@ _KINDS: dict[str, Callable[[str, Any], object]] = {
     **dict.fromkeys(("dot_size", "pens", "paper_size", "margin", "plot_time"), text),
     "ink_counts": _counts,
     "measure": flag,
+    "on_pixels": lambda name, value: "{}x{}".format(*raster_in(name, value)),
     "paper_colour": text,
     "memory_limit": lambda name, value: whole(name, value, 1, MOST_64),
     "seed": _seed,
@@ -177,7 +187,7 @@ _KINDS: dict[str, Callable[[str, Any], object]] = {
 }
 # Arguments that may be None, which means that they are not given.
 _OPTIONAL = set(
-    "radius n scale metric mode domain edge limit relax gaussian_distance "
+    "radius n on_pixels scale metric mode domain edge limit relax gaussian_distance "
     "lines_per_radius device memory_limit black_ink ink_counts tolerance "
     "dot_size pens paper_size margin plot_time seconds_per_dot seconds_per_metre".split()
 )

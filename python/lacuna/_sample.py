@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any, Collection, Iterable, Iterator, Literal, 
 from typing import SupportsFloat, TypedDict, Unpack, overload
 
 from . import _core
-from ._arguments import MOST_64, importance_of, mask_of, options, points_array, real, shape_of
-from ._arguments import shown, watched, whole
+from ._arguments import MOST_64, importance_of, mask_of, options, points_array, raster_in, real
+from ._arguments import shape_of, shown, watched, whole
 from ._classes import classes_of, classes_of_points
 from ._errors import BadRequest, MemoryRefused
 from ._polygons import around, places_of, sets_on
@@ -51,6 +51,7 @@ def sample(
     between: str | npt.ArrayLike = "sum",
     keep_classes: Iterable[object] | None = None,
     domain: Domain | None = None,
+    on_pixels: tuple[Whole, Whole] | None = None,
     torus: bool = False,
     mode: Mode | None = None,
     seed: Seed = None,
@@ -135,14 +136,20 @@ def sample(
         such as a part of a map. By default the shape of the field or else of the mask, with a
         longer side of 1; else ``domain_around`` the polygons and obstacles; without all of these
         (1, 1). A corner is at most 2^20 times the longer side from 0.
+    on_pixels : tuple of int, optional
+        (columns, rows): the domain is cut into these pixels (and is (columns, rows), unless it is
+        given). ``n`` points lie in the centres of pixels, at most one on each, as even as can be
+        or as dense as ``field`` says: where it asks for more than one point on a pixel, the rest
+        goes elsewhere. ``pixels`` of the result is the boolean mask. The importance, and
+        whether points may lie there, are those at a pixel's centre.
     torus : bool
         Whether the edges wrap.
-    mode : {'exact', 'lines', 'cells', 'stratified'}, optional
+    mode : {'exact', 'lines', 'cells', 'stratified', 'pixels'}, optional
         'exact', the default, leaves no gap; 'lines' is the approximation of Kalantari & Sen 2011;
         'cells', for a field, puts points on a lattice, as they do. Mask, border and keep need
         'exact'. 'stratified' is a start for ``relax``: every part of the domain has its share of
         the points. It is the default with ``relax`` and ``n``, unless ``metric``, ``limit``,
-        ``lines_per_radius`` or ``round_size`` is given.
+        ``lines_per_radius`` or ``round_size`` is given. 'pixels' is that of ``on_pixels``.
     seed : None, int or numpy.random.Generator
         An int from 0 to 2^64 - 1 is the same as --seed of the command. A generator gives 64 random
         bits; for None the system gives them. The result holds the seed.
@@ -229,6 +236,13 @@ def sample(
     >>> bool(lacuna.verify(made, ellipses=swirl))
     True
 
+    A mask that samples a quarter of 64 x 48 pixels, all of them in the middle:
+
+    >>> y, x = np.mgrid[-1:1:48j, -1:1:64j]
+    >>> made = lacuna.sample(on_pixels=(64, 48), n=768, field=1 / (0.05 + x**2 + y**2), seed=1)
+    >>> made.pixels.shape, int(made.pixels.sum()), bool(made.pixels[22:26, 30:34].all())
+    ((48, 64), 768, True)
+
     Inside of a triangle, around a rock:
 
     >>> triangle, rock = [(0, 0), (1, 0), (0.5, 1)], [(0.5, 0.4)]
@@ -243,10 +257,13 @@ def sample(
     kept = None if keep is None else points_array("keep", keep)
     kinds = classes_of(classes, between)
     places = places_of(inside, outside, avoid, real("border", border))
+    if domain is None and on_pixels is not None:
+        domain = raster_in("on_pixels", on_pixels)
     if domain is None:
         domain = shape_of(importance, allowed) or around(places)
     asked = options(
-        radius=radius, n=n, scale=scale, metric=metric, domain=domain, torus=torus, mode=mode,
+        radius=radius, n=n, scale=scale, metric=metric, domain=domain, on_pixels=on_pixels,
+        torus=torus, mode=mode,
         edge=edge, border=border, seed=seed, progressive=progressive, limit=limit, relax=relax,
         gaussian=gaussian, gaussian_distance=gaussian_distance, lines_per_radius=lines_per_radius,
         snap=snap, uniform_x=uniform_x, round_size=round_size, backend=backend, device=device,
@@ -282,6 +299,7 @@ class More(TypedDict, total=False):
     classes: ClassSizes | None
     between: str | npt.ArrayLike
     domain: Domain
+    on_pixels: tuple[Whole, Whole]
     torus: bool
     mode: Literal["exact", "lines"] | None
     progressive: bool
@@ -331,7 +349,7 @@ def sample_many(
     radius, n : float, int
         As for ``sample``.
     **more
-        classes, between, domain, torus, mode, progressive, limit, lines_per_radius, snap,
+        classes, between, domain, on_pixels, torus, mode, progressive, limit, lines_per_radius, snap,
         uniform_x, round_size, backend, device and threads, as for ``sample``; memory_limit, which
         is for each set; and progress, which is called with the number of sets that are done and the
         number of all sets, for an iterator with the number of seeds that have been read.
@@ -368,6 +386,8 @@ def sample_many(
     if isinstance(seeds, (str, bytes)) or not isinstance(seeds, Iterable):
         raise TypeError(f"seeds must be an iterable of int, not {shown(seeds)}")
     usual = {"backend": "auto", "threads": 0, "round_size": 0}
+    if (pixels := more.get("on_pixels")) is not None:
+        more.setdefault("domain", raster_in("on_pixels", pixels))
     asked = {**options(radius=radius, n=n, **{**usual, **more}), **kinds}
     asked["given"] = ["class"] if kinds else []
     expected = None

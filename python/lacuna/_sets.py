@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Iterator, Mapping
 import numpy as np
 
 from . import _core, _plots
-from ._arguments import path_bytes
+from ._arguments import corner_and_sides, path_bytes
 from ._errors import BadRequest
 
 if TYPE_CHECKING:
@@ -213,6 +213,8 @@ class PointSet(HasPoints):
         With a field the radius where importance is 1, asked for or chosen.
     mode, metric : str
         As asked for; metric matters with a field.
+    pixels : ndarray, shape (rows, columns), bool
+        Only of a set ``on_pixels``: whether each pixel has a point. Row 0 is the top.
     seed : int
         With this seed the same call gives the same points.
     maximal : bool
@@ -262,6 +264,20 @@ class PointSet(HasPoints):
     distances: Floats | None = field(repr=False, kw_only=True)
     ellipses: Floats | None = field(repr=False, kw_only=True)
 
+    @property
+    def pixels(self) -> npt.NDArray[np.bool_]:
+        """Of a set ``on_pixels``: whether each pixel has a point, row 0 on top."""
+        if "on_pixels" not in self._request:
+            raise AttributeError("pixels: the set was made without on_pixels")
+        columns, rows = map(int, self._request["on_pixels"].split("x"))
+        x0, y0, width, height = corner_and_sides(self.domain)
+        taken = np.zeros((rows, columns), bool)
+        x, y = self.points.T
+        # Points are centres, which lie half a pixel from where rounding would matter.
+        taken[rows - 1 - ((y - y0) / height * rows).astype(int),
+              ((x - x0) / width * columns).astype(int)] = True  # fmt: skip
+        return taken
+
     def _names_of_points(self) -> list[str] | None:
         """The name of each point's class."""
         return None if self.class_of is None else [self.classes[place] for place in self.class_of]
@@ -280,6 +296,7 @@ class PointSet(HasPoints):
             "maximal": self.maximal,
             "levels": list(self.levels),
             "options": json.dumps(self._request),
+            **{name: self._request[name] for name in ("on_pixels",) if name in self._request},
         }
 
     def _radii(self) -> Floats | None:

@@ -21,6 +21,7 @@
 #include "files/formats.h"
 #include "options.h"
 #include "parts.h"
+#include "recipes/read.h"
 #include "recipes/words.h"
 #include "watch.h"
 
@@ -79,7 +80,8 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, const nb::d
     read(saved, "is_relaxed", is_relaxed);
     read(saved, "layers", layers);
     read(saved, "classes", classes);
-    std::string paper_colour = "white";
+    std::string on_pixels, paper_colour = "white";
+    read(saved, "on_pixels", on_pixels);
     read(saved, "paper_colour", paper_colour);
     drawing::Style style;
     std::array<double, 3> paper{};
@@ -96,6 +98,7 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, const nb::d
     for (const auto& [ink, dots] : layers) its_layers.push_back({ink, dots});
     files::PointSet set{points, domain, radius};
     set.is_relaxed = is_relaxed;
+    if (!on_pixels.empty()) recipes::read_raster("on_pixels", on_pixels, set.on_pixels.emplace());
     if (format.name() == "json") {
         set.radius = least_radius;
         if (!made.mode.empty()) set.origin = &made.origin;

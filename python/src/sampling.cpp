@@ -25,6 +25,7 @@
 #include "plan/sheets.h"
 #include "polygon_sets.h"
 #include "recipes/settle.h"
+#include "sampling/on_pixels.h"
 #include "watch.h"
 
 namespace nb = nanobind;
@@ -104,7 +105,7 @@ nb::dict dict_of(Result result, const Request& request, const std::optional<Rela
     made["metric"] = name_of(request.metric);
     made["seed"] = request.seed;
     made["radius"] = result.radius;
-    const bool has_scale = request.field != nullptr && request.mode != Mode::stratified;
+    const bool has_scale = request.field != nullptr && result.scale > 0;
     made["scale"] = has_scale ? nb::cast(result.scale) : nb::none();
     made["lines_per_radius"] = result.lines_per_radius;
     made["maximal"] = result.maximal;
@@ -159,6 +160,7 @@ double edge_of(const nb::dict& given, const Request& request) {
     std::optional<double> edge;
     read(given, "edge", edge);
     if (edge) return *edge;
+    if (request.on_pixels) return least_pixel_step(*request.on_pixels, request.domain) / 16;
     std::optional<double> size = request.field != nullptr ? request.scale : request.radius;
     if (!size && !request.count && !request.classes.names.empty())
         size = least_distance_of(request.classes);

@@ -130,6 +130,12 @@ void add_samples(const Shared& given, std::size_t size, std::vector<Call>& all) 
         r.field = &g.field;
         r.count = 4000 * size;
     });
+    add(" on pixels", [=](Request& r, const Given& g) {
+        r.mode = Mode::pixels;
+        r.field = &g.field;
+        r.on_pixels = {g.side, g.side};
+        r.count = 8000 * size;
+    });
     add(" on a field with a mask", [=](Request& r, const Given& g) {
         r.field = &g.field;
         r.mask = &g.mask;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "expectations.h"
+#include "pictures/image.h"
 #include "program.h"
 
 namespace sample_test {
@@ -31,6 +32,33 @@ TEST(Sample, WritesToStandardOutputWhatItWritesToAFile) {
     EXPECT_EQ(to_file.out, "");
     EXPECT_EQ(content_of(folder.path("a.txt")), to_output.out);
     EXPECT_EQ(folder.names(), Names{"a.txt"});
+}
+
+TEST(Sample, OnPixelsWritesAPictureWithAPixelForEach) {
+    const Folder folder;
+    const std::string png = folder.path("mask.png"), json = folder.path("a.json");
+    const Outcome outcome =
+        run({"sample", "--on-pixels", "40x25", "--count", "300", "--torus", "-o", png, "-o", json});
+    EXPECT_TRUE(outcome.err.starts_with("300 points on 40x25 pixels, ")) << outcome.err;
+    const lacuna::pictures::Image image = lacuna::pictures::read_image(png);
+    ASSERT_EQ(image.columns, 40U);
+    ASSERT_EQ(image.rows, 25U);
+    const auto set = nlohmann::json::parse(content_of(json));
+    EXPECT_EQ(set.at("options").at("on_pixels"), "40x25");
+    std::vector<double> taken(1000);
+    for (const auto& point : set.at("points")) {
+        const double x = point[0], y = point[1];
+        taken.at(static_cast<std::size_t>((24.5 - y) * 40 + x - 0.5)) = 1;
+    }
+    EXPECT_EQ(image.luminance, taken);
+    const Outcome verified = run({"verify", json});
+    EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
+    EXPECT_NE(verified.out.find("kept"), std::string::npos) << verified.out;
+    expect_success({"sample", "--on-pixels", "40x25", "--count", "300", "--seeds", "1..2", "-o",
+                    folder.path("{seed}.png")});
+    EXPECT_EQ(lacuna::pictures::read_image(folder.path("2.png")).rows, 25U);
+    expect_one_error(run({"sample", "--on-pixels", "40", "--count", "3"}), 2,
+                     {"--on-pixels 40: must be COLUMNSxROWS in pixels, such as 512x80"});
 }
 
 TEST(Sample, EndsWithOneLineAboutAFileUnlessQuiet) {

@@ -148,5 +148,22 @@ TEST(SetsOfPolygons, AreFilledAndProvenFull) {
     EXPECT_GE(refuted, 90);
 }
 
+// The centre decides, however coarse the drawn mask is.
+TEST(SetsOfPolygons, HaveTheSamplesOfPixelsWhoseCentresLieInThem) {
+    const std::vector<PolygonRing> triangle{{{5, 5}, {55.5, 5}, {5, 55.5}}};
+    const PolygonSet set{.rings = triangle};
+    Request request;
+    request.domain = {60, 60};
+    request.mode = Mode::pixels;
+    request.on_pixels = {60, 60};
+    request.count = 1275;  // 50 + 49 + ... + 1 centres
+    const Mask mask = draw_places({&set, 1}, request.domain, 1);
+    request.mask = &mask;
+    for (const Point& point : sample(request).points)
+        EXPECT_TRUE(point.x > 5 && point.y > 5 && point.x + point.y < 60.5);
+    request.count = 1276;
+    EXPECT_THROW(sample(request), BadRequest);
+}
+
 }  // namespace polygon_sets_test
 }  // namespace lacuna

@@ -9,9 +9,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <set>
 #include <span>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hostile/answers.h"
@@ -169,8 +171,12 @@ inline void judge_set(const Made& made, const Result& result, std::mt19937_64& r
     const Request& request = made.request;
     ++counts.sets;
     counts.points += result.points.size();
-    if (request.mode == Mode::stratified) {
+    if (request.mode == Mode::stratified || request.mode == Mode::pixels) {
         demand(result.points.size() == *request.count, "the count is another");
+        std::set<std::pair<double, double>> places;
+        for (const Point& point : result.points) places.insert({point.x, point.y});
+        demand(request.mode == Mode::stratified || places.size() == result.points.size(),
+               "a pixel has two points");
         return;
     }
     const std::uint64_t most = std::min(request.limit.value_or(result.points.size()),

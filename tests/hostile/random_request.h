@@ -46,7 +46,8 @@ private:
 
     bool try_to_make(Made& made, bool is_refused) {
         Request& request = made.request;
-        constexpr std::array kModes{Mode::exact, Mode::lines, Mode::cells, Mode::stratified};
+        constexpr std::array kModes{Mode::exact, Mode::lines, Mode::cells, Mode::stratified,
+                                    Mode::pixels};
         constexpr std::array kMetrics{Metric::min, Metric::mean, Metric::max};
         request.mode = kModes[row_[kMode]];
         request.metric = kMetrics[row_[kMetric]];
@@ -72,6 +73,10 @@ private:
         if (is(kBorder, "yes"))
             request.border = request.domain.shorter_side() / 2 *
                              std::array{1e-9, choose_.in(0, 0.5), 1 - 1e-3}[choose_.below(3)];
+        if (is(kMode, "pixels")) {
+            request.on_pixels = {1 + choose_.below(300), 1 + choose_.below(300)};
+            if (!is_refused && !has_spare_pixels(request)) return false;
+        }
         choose_moves(made);
         Result trial;
         if (is_refused) {
@@ -86,6 +91,18 @@ private:
             request.count = std::max<std::uint64_t>(*request.count, 2 * trial.points.size());
         if (is(kKeep, "yes")) choose_kept(made, trial);
         if (is(kLimit, "yes")) request.limit = 1 + choose_.below(most_points());
+        return true;
+    }
+
+    static bool has_spare_pixels(Request request) {
+        request.place.backend = "cpu";
+        *request.count *= 2;
+        try {
+            sample(request);
+        } catch (const BadRequest& error) {
+            if (error.option() != "count") throw;
+            return false;
+        }
         return true;
     }
 
@@ -219,6 +236,7 @@ private:
     Result trial_of(Request request) {
         request.place.backend = "cpu";
         request.mode = Mode::exact;
+        request.on_pixels.reset();
         request.seed = choose_.random()();
         request.progressive = request.paper2011.snap = request.paper2011.uniform_x = false;
         request.metric = Metric::min;

@@ -99,5 +99,21 @@ TEST(Claims, OfAStratifiedSetAreItsRadius) {
     EXPECT_TRUE(prove(result.points, claim).kept);
 }
 
+TEST(Claims, OfPixelsAreThatNoPixelHasTwoPoints) {
+    for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
+        Request request;
+        request.domain = {3, 0.7, boundary, 1e5, -2};
+        request.count = 300;
+        request.mode = Mode::pixels;
+        request.on_pixels = {30, 20};
+        request.field = &kField;
+        Result result = sample(request);
+        EXPECT_NEAR(result.radius, 0.035, 1e-9);
+        EXPECT_TRUE(prove(result.points, claim_of(request, result)).kept);
+        result.points[7] = result.points[8];
+        EXPECT_FALSE(prove(result.points, claim_of(request, result)).kept);
+    }
+}
+
 }  // namespace
 }  // namespace lacuna

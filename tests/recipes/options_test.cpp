@@ -64,6 +64,12 @@ TEST(PairsOfOptions, AreRefusedWithTheReason) {
         {kVerify, "radius=1 field=a.png", "radius 1 with --field: "},
         {kVerify, "edge=1", "edge 1 without --inside, --outside or --avoid: "},
         {kSample, "mask=a.png avoid=b.csv", "mask a.png with --avoid: "},
+        {kSample, "on-pixels=9x9 count=5 mask=a.png field=a.png torus relax=0 border=0", ""},
+        {kSample, "on-pixels=9x9 radius=1", "on-pixels 9x9 with --radius: its samples keep no"},
+        {kSample, "on-pixels=9x9 mode=lines", "on-pixels 9x9 with --mode: "},
+        {kSample, "on-pixels=9x9 relax=2", "on-pixels 9x9 with --relax: they move points"},
+        {kSample, "on-pixels=9x9 keep=a.csv", "on-pixels 9x9 with --keep: "},
+        {kSample, "on-pixels=9x9 dpi=9", "on-pixels 9x9 with --dpi: a sample is a pixel"},
         {kSample, "relax=3 mask=a.png", "relax 3 with --mask: "},
         {kSample, "relax=0 mask=a.png border=0.1", ""},
         {kSample, "relax=3 border=0", ""},
@@ -125,7 +131,7 @@ TEST(TheTableOfOptions, NamesTheDefaults) {
 }
 
 TEST(TheTableOfWords, HasTheWordsOfTheLibrary) {
-    for (const Mode mode : {Mode::exact, Mode::lines, Mode::cells, Mode::stratified})
+    for (const Mode mode : {Mode::exact, Mode::lines, Mode::cells, Mode::stratified, Mode::pixels})
         EXPECT_TRUE(is_among(name_of(mode), Words::modes));
     EXPECT_EQ(name_of(Mode::stratified), "stratified");
     EXPECT_EQ(name_of(Metric::max), "max");

@@ -50,6 +50,7 @@ Examples:
   lacuna sample --inside lakes.svg --border 2 --radius 3 -o fish.svg   points within polygons
   lacuna sample --inside park.svg --outside pond.svg --radius 3 -o trees.svg   and not in others
   lacuna sample --avoid rocks.csv --avoid path.svg:2 --radius 1 -o plants.csv   around obstacles
+  lacuna sample --on-pixels 512x80 --count 5000 -o mask.png   on pixels, one on each at most
   lacuna sample --keep trees.csv --radius 0.02 -o more.csv   fills the space around given points
   lacuna sample --class trees:0.03 --class grass:0.006 -o wood.csv   kinds of points
   lacuna sample --count 256 --torus --seeds 0..999 -o 'tiles/{seed}.npy'   a thousand small tiles

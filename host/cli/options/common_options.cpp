@@ -84,10 +84,12 @@ void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, co
                                distance_factor(options.request, result));
         else if (result.scale > 0)
             size = fmt::format(", scale {:.4g}", result.scale);
+        else if (const auto& raster = options.request.on_pixels)
+            size = fmt::format(" on {}x{} pixels", raster->columns, raster->rows);
         else if (result.radius > 0 && options.request.mode != Mode::stratified)
             size = fmt::format(", radius {:.4g}", result.radius);
     }
-    if (what == "point" && !result.maximal) size += ", not maximal";
+    if (what == "point" && !result.maximal && !options.request.on_pixels) size += ", not maximal";
     const std::size_t count = result.points.size();
     std::string rounds;
     if (result.rounds > 0)

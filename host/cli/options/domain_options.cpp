@@ -24,6 +24,7 @@
 #include "pictures/importance.h"
 #include "plan/sheets.h"
 #include "plan/sizes.h"
+#include "sampling/on_pixels.h"
 
 namespace lacuna::cli {
 namespace {
@@ -69,6 +70,7 @@ Mask coarse_places(const Request& request, std::span<const PolygonSet> sets) {
 // The least radius of the set. For a count it is the radius of a maximal set of this size.
 double least_radius(const Request& request, std::span<const PolygonSet> sets,
                     const DomainFiles& files) {
+    if (request.on_pixels) return least_pixel_step(*request.on_pixels, request.domain);
     const double greatest = greatest_of(files);
     if (request.radius) return *request.radius;
     if (request.scale) return *request.scale / std::sqrt(greatest);
@@ -145,6 +147,9 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
         if (!has_shape) take_shape(shape, request);
         has_shape = true;
     };
+    if (request.on_pixels)
+        give_shape({.width = static_cast<double>(request.on_pixels->columns),
+                    .height = static_cast<double>(request.on_pixels->rows)});
     if (!options.field.path.empty()) {
         Request shape;
         files.field = read_field(options.field, shape);

@@ -15,6 +15,7 @@ MadeSet::MadeSet(const Request& request, const Result& result, const files::Orig
       ellipses_(ellipses_of(request, result)),
       is_sized_by_radii_(showing.is_sized_by_radii),
       set_{result.points, request.domain, result.radius, &origin} {
+    set_.on_pixels = request.on_pixels;
     set_.ellipses = ellipses_;
     set_.writes_ellipses = showing.ellipse_columns;
     set_.layers = layers_;

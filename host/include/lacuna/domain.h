@@ -52,6 +52,19 @@ struct Domain {
     double shorter_side() const { return height < width ? height : width; }
     friend bool operator==(const Domain&, const Domain&) = default;
 };
+// Pixels that a domain is cut into: columns times rows equal rectangles. Columns count from the
+// left and rows from the lowest one.
+struct Raster {
+    std::uint32_t columns = 0;
+    std::uint32_t rows = 0;
+
+    std::uint64_t pixels() const { return std::uint64_t{columns} * rows; }
+    Point centre(std::uint32_t column, std::uint32_t row, const Domain& domain) const {
+        return domain.at({domain.width * (2. * column + 1) / (2. * columns),
+                          domain.height * (2. * row + 1) / (2. * rows)});
+    }
+    friend bool operator==(const Raster&, const Raster&) = default;
+};
 // The domain of a picture's shape, with a longer side of 1.
 Domain domain_like(std::uint32_t columns, std::uint32_t rows, Boundary boundary = Boundary::box);
 

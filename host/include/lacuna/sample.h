@@ -105,7 +105,15 @@ std::vector<double> distances_by_union(std::span<const double> radii);
 //               number in each of Request::count equal intervals. So every part of a picture has
 //               its share of the points. It needs a count, may have a field, and allows no other
 //               option of the set; the points come in the order of the curve.
-enum class Mode { exact, lines, cells, stratified };
+// Or, for masks and layouts that are pixels themselves:
+//   pixels  exactly Request::count points, in the centres of pixels of Request::on_pixels, at most
+//           one on each. They are dense in proportion to the field, if there is one. Pixels on
+//           which it asks for more than one point have one, and what is left over goes to the other
+//           pixels. Points are as even as a descent makes them that moves one at a time; pixels
+//           count as squares. The importance, and whether the mask allows points, are those at the
+//           centre of a pixel. The points come row by row, from the top; Result::radius is the
+//           least distance of the centres of two pixels. Allows no other option of the set.
+enum class Mode { exact, lines, cells, stratified, pixels };
 std::string_view name_of(Mode mode);
 
 // Which distance two points of different radii must keep (section 4.2.1): the smaller radius (the
@@ -138,7 +146,9 @@ struct Request {
     std::optional<std::uint64_t> count{};
 
     Mode mode = Mode::exact;
-    // In modes exact and cells: importance, stretched over the domain. It must outlive the call. In
+    // In mode pixels, and in no other: the pixels of the domain, at most 2^26.
+    std::optional<Raster> on_pixels{};
+    // In all modes but lines: importance, stretched over the domain. It must outlive the call. In
     // exact the radius is constant on a pixel, and the metric min.
     const Field* field = nullptr;
     // The paper's g (section 4.2): the radius at a point is g / sqrt(importance there), in the
@@ -146,8 +156,9 @@ struct Request {
     std::optional<double> scale{};
     Metric metric = Metric::min;
 
-    // The next three work in mode exact only. Together they say where samples may lie, and the set
-    // is maximal there. Samples lie on pixels of the mask that are not 0. It must outlive the call.
+    // The next three work in mode exact only, the mask also in mode pixels. Together they say where
+    // samples may lie, and the set is maximal there. Samples lie on pixels of the mask that are not
+    // 0. It must outlive the call.
     const Mask* mask = nullptr;
     // Least distance of samples to each edge of the domain, in its unit; in a box only, and under
     // half of its shorter side. 0: samples lie up to the edges.

@@ -1,0 +1,125 @@
+// Mode pixels: each pixel has a share of the samples, at most one. Samples begin along a Hilbert
+// curve, pixel by pixel (Deville & Tille 1998, "Unequal probability sampling without replacement
+// through a splitting method"), and then move from pixel to pixel (pixel_descent.cpp). Whole
+// numbers decide, so the samples are the same on every machine.
+#include "sampling/on_pixels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "plan/mask_tree.h"
+#include "relax/lattice.h"
+#include "rounds/random.h"
+#include "sampling/curve.h"
+#include "sampling/pixel_descent.h"
+#include "sampling/pixel_shares.h"
+
+namespace lacuna {
+namespace {
+
+constexpr std::uint32_t kPixelStream = 0x9e1;  // random numbers that no other sampler uses
+
+std::vector<std::uint16_t> masses_on(const Request& request, const Poll& poll) {
+    const Raster& raster = *request.on_pixels;
+    const Field& field = relaxing::field_or_even(request.field);
+    const std::vector<std::uint16_t> given = relaxing::masses_of(field, poll);
+    const Mask* const mask = request.mask;
+    std::vector<std::uint16_t> masses(raster.pixels());
+    // The pixel of a picture, stretched over the raster, at the centre of the raster's pixel.
+    const auto at = [](std::uint64_t i, std::uint64_t of, std::uint64_t pixels) {
+        return static_cast<std::size_t>((2 * i + 1) * pixels / (2 * of));
+    };
+    const auto fill_row = [&](std::size_t y) {
+        for (std::uint32_t x = 0; x < raster.columns; ++x) {
+            bool may_lie = true;
+            if (mask != nullptr && mask->drawn)
+                may_lie = mask->drawn->holds(
+                    raster.centre(x, static_cast<std::uint32_t>(y), request.domain));
+            else if (mask != nullptr)
+                may_lie = mask->allowed[(mask->rows - 1 - at(y, raster.rows, mask->rows)) *
+                                            mask->columns +
+                                        at(x, raster.columns, mask->columns)] != 0;
+            if (may_lie)
+                masses[y * raster.columns + x] =
+                    given[at(y, raster.rows, field.rows) * field.columns +
+                          at(x, raster.columns, field.columns)];
+        }
+    };
+    for_each_polled(raster.rows, poll, fill_row, raster.columns);
+    return masses;
+}
+
+// Which pixels have a sample at first. Along the curve the share of one pixel is carried on: where
+// it meets the next one, chance gives both to one of them, or fills one up to a sample.
+std::vector<std::uint8_t> first_samples(const Request& request, const PixelShares& shares,
+                                        const Poll& poll) {
+    const Raster& raster = *request.on_pixels;
+    std::vector<std::uint8_t> taken(shares.masses.size());
+    std::size_t carrier = 0, visited = 0;
+    std::uint64_t carried = 0;  // a sample is shares.mass
+    const auto meet = [&](std::size_t pixel) {
+        const std::uint64_t own = shares.masses[pixel] * shares.count;
+        const std::uint64_t both = carried + own;
+        const std::uint64_t random = random_bits(request.seed, pixel, kPixelStream).first;
+        if (both < shares.mass) {
+            if (scaled(random, both) >= carried) carrier = pixel;
+            carried = both;
+            return;
+        }
+        const bool first_is_full = scaled(random, 2 * shares.mass - both) < shares.mass - own;
+        taken[first_is_full ? carrier : pixel] = 1;
+        if (first_is_full) carrier = pixel;
+        carried = both - shares.mass;
+    };
+    for_each_on_curve(raster.columns, raster.rows, [&](Cell cell) {
+        if (visited++ % kBetweenPolls == 0) poll();
+        const std::size_t pixel =
+            static_cast<std::size_t>(cell.y) * raster.columns + static_cast<std::size_t>(cell.x);
+        if (shares.is_full(pixel)) taken[pixel] = 1;
+        if (!shares.is_open(pixel) || shares.count == 0) return;
+        if (carried == 0) {
+            carrier = pixel;
+            carried = shares.masses[pixel] * shares.count;
+        } else {
+            meet(pixel);
+        }
+    });
+    return taken;
+}
+
+}  // namespace
+
+std::vector<Point> points_on_pixels(const Request& request, const Poll& poll) {
+    const Raster& raster = *request.on_pixels;
+    const PixelShares shares(masses_on(request, poll), *request.count);
+    std::vector<std::uint8_t> taken = first_samples(request, shares, poll);
+    descend_on_pixels(raster, request.domain.wraps(), shares, taken);
+    std::vector<Point> points;
+    points.reserve(*request.count);
+    for (std::uint32_t y = raster.rows; y-- > 0;) {
+        poll();
+        for (std::uint32_t x = 0; x < raster.columns; ++x)
+            if (taken[std::size_t{y} * raster.columns + x] != 0)
+                points.push_back(raster.centre(x, y, request.domain));
+    }
+    return points;
+}
+
+double least_pixel_step(const Raster& raster, const Domain& domain) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto look = [&](std::uint32_t pixels, double side, const auto& at) {
+        for (std::uint32_t i = 1; i < pixels; ++i) least = std::min(least, at(i) - at(i - 1));
+        if (pixels > 1 && domain.wraps()) least = std::min(least, side - (at(pixels - 1) - at(0)));
+    };
+    const auto way = [&](std::uint32_t x, std::uint32_t y) {
+        return domain.from_corner(raster.centre(x, y, domain));
+    };
+    look(raster.columns, domain.width, [&](std::uint32_t i) { return way(i, 0).x; });
+    look(raster.rows, domain.height, [&](std::uint32_t i) { return way(0, i).y; });
+    return std::isinf(least) ? 0 : least;
+}
+
+}  // namespace lacuna
