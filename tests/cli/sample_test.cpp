@@ -51,7 +51,8 @@ TEST(Sample, OnPixelsWritesAPictureWithAPixelForEach) {
         taken.at(static_cast<std::size_t>((24.5 - y) * 40 + x - 0.5)) = 1;
     }
     EXPECT_EQ(image.luminance, taken);
-    const Outcome verified = run({"verify", json});
+    expect_one_error(run({"verify", json}), 2, {"made on pixels", "give --distances-only"});
+    const Outcome verified = run({"verify", json, "--distances-only"});
     EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
     EXPECT_NE(verified.out.find("kept"), std::string::npos) << verified.out;
     expect_success({"sample", "--on-pixels", "40x25", "--count", "300", "--seeds", "1..2", "-o",

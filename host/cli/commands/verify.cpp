@@ -93,6 +93,9 @@ Request request_of(const CommandLine& line, const VerifyCommand& options, const 
         throw BadUsage(name +
                        ": made in mode stratified and relaxed, which promises no radius: "
                        "give --distances-only, for the least distance");
+    if (file.mode == name_of(Mode::pixels) && !options.distances_only)
+        throw BadUsage(name +
+                       ": made on pixels, of which none has two points: give --distances-only");
     Request request = given.request;
     ask_for_files(line, options.domain, options.distances_only, file, name);
     claim.own_field = use_values(line, file, request, claim.options.edge);
