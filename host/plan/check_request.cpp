@@ -173,6 +173,7 @@ void check_importance(const Field& field) {
 
 void check_request(const Request& request) {
     check_enums(request);
+    check_raster(request);
     const double shorter = request.domain.shorter_side();
     const double longer = request.domain.longer_side();
     const std::string domain = text_of(request.domain);
@@ -196,7 +197,6 @@ void check_request(const Request& request) {
     if (request.progressive && request.mode != Mode::exact)
         throw BadRequest("progressive", "with mode " + std::string(name_of(request.mode)),
                          "is for mode exact");
-    check_raster(request);
     if (request.mode == Mode::stratified || request.mode == Mode::pixels) check_counted(request);
     check_field(request);
     check_classes(request);

@@ -172,6 +172,9 @@ constexpr Row kRows[] = {
     {{"seed", "S", Kind::whole, kOrder},
      "Another seed gives another order of the points of a level (default 0)"},
     {{"seed", "S", Kind::whole, kMask}, "Another seed gives another tile (default 0)"},
+    {{"frames", "N", Kind::whole, kMask},
+     "So many tiles, for the frames of a film, each in a file -o 'mask{frame}.png', from 0 on: the "
+     "values of a pixel, too, vary as fast as they can from frame to frame (default 1)"},
     {{"bits", "B", Kind::whole, kMask}, "Bits of a pixel, 8 or 16 (default 16)"},
     {{"seeds", "A..B", Kind::text, kSample},
      "A set for each seed from A to B, both included; each goes to a file of its own: every "

@@ -15,26 +15,43 @@
 
 #include "base/polling.h"
 #include "base/power.h"
+#include "rounds/random.h"
 
 namespace lacuna {
 namespace {
 
 constexpr std::uint32_t kLeastSide = 8, kMostSide = 1024;
-constexpr std::size_t kMinority = 10;  // a pattern begins with one pixel in so many
+constexpr std::uint64_t kMostPixels = std::uint64_t{kMostSide} * kMostSide;  // of all frames
+constexpr std::uint32_t kFrameStream = 0xf4a3;  // a stream of random numbers, for further frames
+constexpr std::size_t kMinority = 10;           // a pattern begins with one pixel in so many
 // The Gaussian's deviation in pixels, where one pixel in kMinority is set or fewer, and where more
 // are. With 1.5 everywhere, as Ulichney has it, low frequencies have twice the power.
 constexpr double kOfFew = 1.5, kOfMany = 2.6;
+constexpr double kInTime = 1.9;  // of the Gaussian in time, in frames, as Wolfe et al. 2022 have it
 
-// How much the pixels of a pattern on a torus crowd each pixel, and which of some pixels is crowded
+// Pixels row by row, and frame by frame.
+struct Tile {
+    std::uint32_t columns;
+    std::uint32_t rows;
+    std::uint32_t frames;
+    std::size_t pixels() const { return std::size_t{columns} * rows * frames; }
+};
+
+// How much the pixels of a pattern on a torus crowd each pixel, those of its frame and those of the
+// other frames that lie on its place, and which of some pixels is crowded
 // most or least. Crowding is counted in whole numbers, so that it is the same on every machine.
 class Crowding {
 public:
     // `deviation` of the Gaussian, in pixels.
-    Crowding(std::uint32_t columns, std::uint32_t rows, double deviation)
-        : columns_(columns), rows_(rows), crowd_(std::size_t{columns} * rows), row_best_(rows) {
+    Crowding(const Tile& tile, double deviation)
+        : columns_(tile.columns),
+          rows_(tile.rows),
+          frames_(tile.frames),
+          crowd_(tile.pixels()),
+          row_best_(std::size_t{rows_} * frames_, kUnknown) {
         const double falls = std::ceil(kReach * deviation);
-        reach_x_ = std::min(static_cast<std::uint32_t>(falls), (columns - 1) / 2);
-        reach_y_ = std::min(static_cast<std::uint32_t>(falls), (rows - 1) / 2);
+        reach_x_ = std::min(static_cast<std::uint32_t>(falls), (columns_ - 1) / 2);
+        reach_y_ = std::min(static_cast<std::uint32_t>(falls), (rows_ - 1) / 2);
         // exp(-1 / (2 deviation^2)) by a product, because std::exp differs between machines.
         constexpr double kEulerInverse = 0.36787944117144233;
         const double unit = power(kEulerInverse, 1 / (2 * deviation * deviation));
@@ -42,24 +59,35 @@ public:
             for (std::uint32_t x = 0; x <= reach_x_; ++x)
                 kernel_.push_back(static_cast<std::int64_t>(
                     kScale * power(unit, static_cast<double>(x * x + y * y))));
+        const double in_time = power(kEulerInverse, 1 / (2 * kInTime * kInTime));
+        for (std::uint32_t t = 0; t <= (frames_ - 1) / 2; ++t)
+            in_time_.push_back(
+                static_cast<std::int64_t>(kScale * power(in_time, static_cast<double>(t * t))));
     }
 
     // Adds the pixel's crowding, or takes it away.
     void add(std::size_t pixel, bool is_added) {
         const auto column = static_cast<std::uint32_t>(pixel % columns_);
-        const auto row = static_cast<std::uint32_t>(pixel / columns_);
+        const auto row = static_cast<std::uint32_t>(pixel / columns_ % rows_);
+        const std::size_t frame = pixel / columns_ / rows_;
         ask_after((2 * reach_x_ + 1) * std::size_t{2 * reach_y_ + 1} / 4 + rows_ / 8);
         for (std::uint32_t j = 0; j <= 2 * reach_y_; ++j) {
-            const std::uint32_t y = (row + rows_ + j - reach_y_) % rows_;
+            const std::size_t y = frame * rows_ + (row + rows_ + j - reach_y_) % rows_;
             const std::int64_t* const kernel =
                 &kernel_[std::size_t{away(j, reach_y_)} * (reach_x_ + 1)];
-            std::int64_t* const line = &crowd_[std::size_t{y} * columns_];
+            std::int64_t* const line = &crowd_[y * columns_];
             for (std::uint32_t i = 0; i <= 2 * reach_x_; ++i) {
                 std::int64_t& one = line[(column + columns_ + i - reach_x_) % columns_];
                 one += is_added ? kernel[away(i, reach_x_)] : -kernel[away(i, reach_x_)];
             }
             row_best_[y] = kUnknown;
         }
+        for (std::size_t t = 1; t < in_time_.size(); ++t)
+            for (const std::size_t other : {frame + t, frame + frames_ - t}) {
+                const std::size_t y = other % frames_ * rows_ + row;
+                crowd_[y * columns_ + column] += is_added ? in_time_[t] : -in_time_[t];
+                row_best_[y] = kUnknown;
+            }
     }
 
     void add(const std::vector<bool>& pattern) {
@@ -72,7 +100,7 @@ public:
     // anew.
     std::size_t most(const std::vector<bool>& is_one, bool wanted, std::int64_t sign) {
         std::size_t best = kNone;
-        for (std::size_t y = 0; y < rows_; ++y) {
+        for (std::size_t y = 0; y < row_best_.size(); ++y) {
             if (row_best_[y] == kUnknown) row_best_[y] = most_of_row(y, is_one, wanted, sign);
             const std::size_t here = row_best_[y];
             if (here == kNone) continue;
@@ -102,34 +130,35 @@ private:
 
     std::uint32_t columns_;
     std::uint32_t rows_;
+    std::uint32_t frames_;
     std::uint32_t reach_x_ = 0;
     std::uint32_t reach_y_ = 0;
-    std::vector<std::int64_t> kernel_;  // of the quadrant, row by row
+    std::vector<std::int64_t> in_time_;  // by the number of frames between two
+    std::vector<std::int64_t> kernel_;   // of the quadrant, row by row
     std::vector<std::int64_t> crowd_;
     std::vector<std::size_t> row_best_;  // of each row: the pixel, kNone or kUnknown
 };
 
 class Ranker {
 public:
-    Ranker(std::uint32_t columns, std::uint32_t rows)
-        : columns_(columns), rows_(rows), ranks_(std::size_t{columns} * rows) {}
+    explicit Ranker(const Tile& tile) : tile_(tile), ranks_(tile.pixels()) {}
 
     // The pixels of `first` have the least ranks, and those of `last` the greatest.
-    ThresholdMask rank(std::vector<bool> first, std::vector<bool> last) {
+    std::vector<std::uint32_t> rank(std::vector<bool> first, std::vector<bool> last) {
         settle(first, last);
         settle(last, first);
         const std::size_t pixels = ranks_.size();
         thin(first, [](std::size_t left) { return left; });
         thin(last, [&](std::size_t left) { return pixels - 1 - left; });
         fill(first, last);
-        return {columns_, rows_, std::move(ranks_)};
+        return std::move(ranks_);
     }
 
 private:
     // Moves the most crowded pixel of a pattern to the least crowded place, again and again, until
     // it is the same. Pixels of `other` are no such places.
     void settle(std::vector<bool>& pattern, const std::vector<bool>& other) {
-        Crowding crowding(columns_, rows_, kOfMany), room(columns_, rows_, kOfMany);
+        Crowding crowding(tile_, kOfMany), room(tile_, kOfMany);
         crowding.add(pattern);
         room.add(pattern);
         std::vector<bool> is_closed = other;
@@ -155,7 +184,7 @@ private:
         std::size_t left = count_of(pattern);
         while (left > 0) {
             const double share = static_cast<double>(left) / static_cast<double>(pattern.size());
-            Crowding crowding(columns_, rows_, kOfFew / std::sqrt(share * kMinority));
+            Crowding crowding(tile_, kOfFew / std::sqrt(share * kMinority));
             crowding.add(pattern);
             for (const std::size_t end = left / 2; left > end; --left) {
                 const std::size_t pixel = crowding.most(pattern, true, 1);
@@ -168,7 +197,7 @@ private:
 
     // Ranks the other pixels: the least crowded of them is added, again and again.
     void fill(const std::vector<bool>& first, const std::vector<bool>& last) {
-        Crowding crowding(columns_, rows_, kOfMany);
+        Crowding crowding(tile_, kOfMany);
         crowding.add(first);
         std::vector<bool> is_closed = first;
         for (std::size_t i = 0; i < last.size(); ++i)
@@ -186,15 +215,14 @@ private:
         return static_cast<std::size_t>(std::count(pattern.begin(), pattern.end(), true));
     }
 
-    std::uint32_t columns_;
-    std::uint32_t rows_;
+    Tile tile_;
     std::vector<std::uint32_t> ranks_;
 };
 
 // Two patterns without a common pixel: each is even, and so are both together, like the dots of two
 // inks.
-std::array<std::vector<bool>, 2> even_patterns(std::uint32_t columns, std::uint32_t rows,
-                                               std::uint64_t seed) {
+using Patterns = std::array<std::vector<bool>, 2>;
+Patterns even_patterns(std::uint32_t columns, std::uint32_t rows, std::uint64_t seed) {
     constexpr std::uint32_t kIterations = 30;
     RelaxOptions options;
     options.domain = {static_cast<double>(columns), static_cast<double>(rows), Boundary::torus};
@@ -204,7 +232,7 @@ std::array<std::vector<bool>, 2> even_patterns(std::uint32_t columns, std::uint3
     const std::uint64_t dots = std::uint64_t{columns} * rows / kMinority;
     const std::array<InkPart, 2> parts{{{&everywhere, dots}, {&everywhere, dots}}};
     const std::vector<Point> points = place_inks(parts, seed, options).points;
-    std::array<std::vector<bool>, 2> patterns;
+    Patterns patterns;
     for (std::vector<bool>& pattern : patterns) pattern.resize(std::size_t{columns} * rows);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto x = std::min(static_cast<std::uint32_t>(points[i].x), columns - 1);
@@ -217,12 +245,23 @@ std::array<std::vector<bool>, 2> even_patterns(std::uint32_t columns, std::uint3
 
 }  // namespace
 
-ThresholdMask threshold_mask(std::uint32_t columns, std::uint32_t rows, std::uint64_t seed) {
+ThresholdMask threshold_mask(std::uint32_t columns, std::uint32_t rows, std::uint64_t seed,
+                             std::uint32_t frames) {
     if (columns < kLeastSide || columns > kMostSide || rows < kLeastSide || rows > kMostSide)
         throw BadRequest("size", std::to_string(columns) + "x" + std::to_string(rows),
                          "each side must be 8 to 1024 pixels");
-    const auto [first, last] = even_patterns(columns, rows, seed);
-    return Ranker(columns, rows).rank(first, last);
+    if (frames == 0 || std::uint64_t{columns} * rows * frames > kMostPixels)
+        throw BadRequest("frames", std::to_string(frames),
+                         "must be 1 to " + std::to_string(kMostPixels / columns / rows) +
+                             " for this size: all together have at most 1024x1024 pixels");
+    Patterns all;
+    for (std::uint32_t frame = 0; frame < frames; ++frame) {
+        const std::uint64_t own = frame == 0 ? seed : random_bits(seed, frame, kFrameStream).first;
+        const Patterns patterns = even_patterns(columns, rows, own);
+        for (std::size_t i = 0; i < 2; ++i)
+            all[i].insert(all[i].end(), patterns[i].begin(), patterns[i].end());
+    }
+    return {columns, rows, frames, Ranker({columns, rows, frames}).rank(all[0], all[1])};
 }
 
 }  // namespace lacuna

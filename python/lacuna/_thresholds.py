@@ -14,10 +14,14 @@ if TYPE_CHECKING:
     from ._arguments import Seed, Whole
 
 
-def threshold_mask(columns: Whole, rows: Whole, seed: Seed = 0) -> npt.NDArray[np.uint32]:
+def threshold_mask(
+    columns: Whole, rows: Whole, seed: Seed = 0, frames: Whole | None = None
+) -> npt.NDArray[np.uint32]:
     """Make a tile of ranks for dithering, by void and cluster (Ulichney 1993).
 
     For every k the pixels of rank under k are spread evenly, also across the tile's edges.
+    With ``frames`` they are so in every frame, and those of one place also in time (Wolfe et al.
+    2022); after the last frame comes the first one again.
 
     Parameters
     ----------
@@ -25,17 +29,19 @@ def threshold_mask(columns: Whole, rows: Whole, seed: Seed = 0) -> npt.NDArray[n
         The tile's sides in pixels, each 8 to 1024. The time grows with the square of their product.
     seed : None, int or numpy.random.Generator
         Another seed gives another tile; as for ``sample``.
+    frames : int, optional
+        So many tiles, for the frames of a film: with all of them at most 1024 * 1024 pixels.
 
     Returns
     -------
-    ndarray, shape (rows, columns), uint32
-        The rank of each pixel, each of 0 to columns * rows - 1 once, row 0 on top. As thresholds
+    ndarray, shape (rows, columns) or (frames, rows, columns), uint32
+        The rank of each pixel, each of 0 to the number of pixels - 1 once, row 0 on top. As thresholds
         between 0 and 1: ``(ranks + 0.5) / ranks.size``.
 
     Raises
     ------
     BadRequest, TypeError
-        For sides or a seed that are none of these.
+        For sides, a seed or frames that are none of these.
 
     Examples
     --------
@@ -47,5 +53,6 @@ def threshold_mask(columns: Whole, rows: Whole, seed: Seed = 0) -> npt.NDArray[n
     0.5
     """
     width, height = whole("columns", columns, 0, 2**32 - 1), whole("rows", rows, 0, 2**32 - 1)
-    ranks = _core.threshold_mask(width, height, options(seed=seed)["seed"])
-    return ranks.reshape(height, width)
+    tiles = 1 if frames is None else whole("frames", frames, 0, 2**32 - 1)
+    ranks = _core.threshold_mask(width, height, options(seed=seed)["seed"], tiles)
+    return ranks.reshape((height, width) if frames is None else (tiles, height, width))

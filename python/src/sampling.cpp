@@ -275,11 +275,12 @@ nb::object order_points(const PointArray& array, const Field* field, const nb::d
     return array_of(std::move(order));
 }
 
-nb::object ranks_of_mask(std::uint32_t columns, std::uint32_t rows, std::uint64_t seed) {
+nb::object ranks_of_mask(std::uint32_t columns, std::uint32_t rows, std::uint64_t seed,
+                         std::uint32_t frames) {
     ThresholdMask mask;
     {
         const Unlocked unlocked;
-        mask = threshold_mask(columns, rows, seed);
+        mask = threshold_mask(columns, rows, seed, frames);
     }
     return array_of(std::move(mask.ranks));
 }

@@ -56,6 +56,44 @@ def test_a_relaxed_exact_set_is_the_commands(
     assert made.metric == "min" and made.relaxed is not None
 
 
+def test_a_set_on_pixels_is_the_commands_and_a_mask(
+    command: Command, tmp_path: Path, ramp: npt.NDArray[np.float64]
+) -> None:
+    np.save(tmp_path / "ramp.npy", ramp)
+    np.save(tmp_path / "left.npy", [[1, 0]])
+    pixels = ["sample", "--on-pixels", "40x25", "--seed", 4]
+    field = ["--field", tmp_path / "ramp.npy", "--invert", "--count", 300, "--torus"]
+    made = lacuna.sample(n=300, on_pixels=(40, 25), field=ramp, torus=True, seed=4)
+    assert made.points.tobytes() == command(*pixels, *field).tobytes()
+    assert (made.mode, made.domain, made.radius, made.scale) == ("pixels", (40, 25), 1, None)
+    assert made.pixels.shape == (25, 40) and made.pixels.dtype == bool and made.pixels.sum() == 300
+    rows, columns = np.nonzero(made.pixels)
+    assert (np.column_stack([columns + 0.5, 24.5 - rows]) == made.points).all()
+    assert lacuna.verify(made).kept and made.report()["request"]["on_pixels"] == "40x25"
+    expected = command(*pixels, "--count", 90, "--mask", tmp_path / "left.npy", "--domain", "2x1")
+    half = lacuna.sample(n=90, on_pixels=(40, 25), mask=[[1, 0]], domain=(2, 1), seed=4)
+    assert half.points.tobytes() == expected.tobytes() and not half.pixels[:, 20:].any()
+    triangle = [(0, 0), (40, 0), (0, 25)]
+    inside = lacuna.sample(n=400, on_pixels=(40, 25), inside=[triangle], seed=4)
+    assert inside.pixels.sum() == 400 and not inside.pixels[0, 3:].any()
+    one = lacuna.sample_many([4], n=90, on_pixels=(40, 25))[0]
+    assert (one.pixels == lacuna.sample(n=90, on_pixels=(40, 25), seed=4).pixels).all()
+    made.save(tmp_path / "mask.png")
+    as_picture = lacuna.stipple(tmp_path / "mask.png", 30, relax=0, seed=0)
+    assert as_picture.domain == (1, 0.625)
+    with pytest.raises(AttributeError, match="made without on_pixels"):
+        lacuna.sample(0.1).pixels
+    for wrong, told in (
+        ({"on_pixels": (40, 25), "radius": 2}, "on_pixels '?40x25'? with radius"),
+        ({"on_pixels": (40, 0), "n": 2}, "on_pixels '?40x0"),
+        ({"on_pixels": (4, 4), "n": 17}, "n 17: must be at most 16"),
+    ):
+        with pytest.raises(lacuna.BadRequest, match=told):
+            lacuna.sample(**wrong)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="on_pixels must be .columns, rows., not 5"):
+        lacuna.sample(n=3, on_pixels=5)  # type: ignore[arg-type]
+
+
 def test_a_set_on_all_of_a_domain_is_the_commands(command: Command, tmp_path: Path) -> None:
     y, x = np.mgrid[0:30, 0:60]
     lakes = np.hypot(x - 20, y - 12) > 8

@@ -48,6 +48,10 @@ def test_a_threshold_mask_has_each_rank_once_and_a_seed() -> None:
     assert (np.sort(ranks, axis=None) == np.arange(512)).all()
     assert (ranks == lacuna.threshold_mask(32, 16, seed=3)).all()
     assert (ranks != lacuna.threshold_mask(32, 16, seed=4)).any()
+    frames = lacuna.threshold_mask(32, 16, seed=3, frames=4)
+    assert frames.shape == (4, 16, 32) and (np.sort(frames.ravel()) == np.arange(2048)).all()
+    with pytest.raises(lacuna.BadRequest, match="frames 0: must be 1 to 2048 for this size"):
+        lacuna.threshold_mask(32, 16, frames=0)
     with pytest.raises(lacuna.BadRequest, match="size 7x64: each side must be 8 to 1024 pixels"):
         lacuna.threshold_mask(7, 64)
     with pytest.raises(TypeError, match="rows must be a whole number"):

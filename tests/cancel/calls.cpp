@@ -242,6 +242,7 @@ void add_files(const Shared& given, std::vector<Call>& all) {
     const Tone tone{.auto_levels = true, .gamma = 2, .sharpen = 4, .along = 3};
     const Tone of_inks{.auto_levels = true, .gamma = 2, .sharpen = 4};
     add("threshold_mask", [](const Given&) { threshold_mask(48, 48); });
+    add("threshold_mask of frames", [](const Given&) { threshold_mask(24, 24, 0, 4); });
     add("read_mask", [](const Given& g) { read_mask(g.path("grey.pgm")); });
     add("decode_mask", [](const Given& g) { decode_mask(g.picture, "grey"); });
     const std::vector<Ink> inks = inks_of("cmyk");

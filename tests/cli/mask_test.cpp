@@ -31,6 +31,25 @@ TEST(Mask, HasTheRanksInProportionToTheLargestNumber) {
     }
 }
 
+TEST(Mask, WritesAFileForEachFrame) {
+    const Folder folder;
+    const lacuna::ThresholdMask mask = lacuna::threshold_mask(12, 8, 5, 11);
+    const Outcome outcome = run({"mask", "12x8", "--frames", "11", "--seed", "5", "-o",
+                                 folder.path("a{frame}.png"), "-o", folder.path("b{frame}.png")});
+    EXPECT_TRUE(outcome.err.starts_with("1056 thresholds of 16 bits in 11 frames -> "))
+        << outcome.err;
+    EXPECT_EQ(folder.names().size(), 22U);
+    for (const std::size_t frame : {0U, 4U, 10U})
+        for (const char* const name : {"a", "b"}) {
+            const std::string number = (frame < 10 ? "0" : "") + std::to_string(frame);
+            const lacuna::pictures::Image image =
+                lacuna::pictures::read_image(folder.path(name + number + ".png"));
+            for (std::size_t i = 0; i < 96; ++i)
+                ASSERT_EQ(image.luminance[i],
+                          (mask.ranks[frame * 96 + i] * 65536U / 1056) / 65535.0);
+        }
+}
+
 TEST(Mask, RefusesOtherSidesBitsAndFiles) {
     const Folder folder;
     const std::string path = folder.path("a.png");
@@ -38,6 +57,11 @@ TEST(Mask, RefusesOtherSidesBitsAndFiles) {
              {{"6x64", "-o", path}, "SIZE 6x64: each side must be 8 to 1024 pixels"},
              {{"64", "-o", path}, "SIZE 64: must be WIDTHxHEIGHT in pixels, such as 64x64"},
              {{"64x64", "-o", path, "--bits", "9"}, "--bits 9: must be 8 or 16"},
+             {{"64x64", "-o", path, "--frames", "2"}, "must have {frame} in its name"},
+             {{"64x64", "-o", folder.path("{frame}.png"), "--frames", "257"},
+              "--frames 257: must be 1 to 256 for this size"},
+             {{"8x8", "-o", folder.path("{frame}.png"), "--frames", "4000000000"},
+              "--frames 4000000000: must be at most 16384"},
              {{"64x64", "-o", folder.path("a.svg")}, "the extension must be .png"}})
         expect_one_error(run(joined({"mask"}, words)), 2, {told});
 }

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "refusal.h"
@@ -67,6 +68,53 @@ TEST(AThresholdMask, HasLittlePowerAtLowFrequenciesAtEveryLevel) {
     }
 }
 
+ThresholdMask frame_of(const ThresholdMask& mask, std::size_t frame) {
+    const std::size_t pixels = std::size_t{mask.columns} * mask.rows;
+    ThresholdMask one{mask.columns, mask.rows, 1, {}};
+    one.ranks.assign(&mask.ranks[frame * pixels], &mask.ranks[frame * pixels] + pixels);
+    return one;
+}
+
+TEST(FramesOfThresholdMasks, AreEachEvenAtEveryLevel) {
+    constexpr std::uint32_t kFrames = 8, kPixels = 32 * 32;
+    const ThresholdMask mask = threshold_mask(32, 32, 2, kFrames);
+    EXPECT_EQ(mask.frames, kFrames);
+    std::vector<std::uint32_t> ranks = mask.ranks;
+    std::sort(ranks.begin(), ranks.end());
+    for (std::uint32_t i = 0; i < kPixels * kFrames; ++i) ASSERT_EQ(ranks[i], i);
+    for (std::uint32_t tenth = 1; tenth <= 9; ++tenth) {
+        const std::uint32_t level = kPixels * kFrames * tenth / 10;
+        double sum = 0;
+        for (std::size_t frame = 0; frame < kFrames; ++frame) {
+            const ThresholdMask one = frame_of(mask, frame);
+            const auto under = std::count_if(one.ranks.begin(), one.ranks.end(),
+                                             [&](std::uint32_t rank) { return rank < level; });
+            EXPECT_NEAR(static_cast<double>(under), level / 8., 6) << tenth << ", " << frame;
+            sum += low_power(one, level, 0.1) * level * (1 - level / 1024.) /
+                   (static_cast<double>(under) * (1 - static_cast<double>(under) / 1024.));
+        }
+        EXPECT_LT(sum / kFrames, 0.04) << tenth;
+    }
+}
+
+// The power of the values of each pixel over the frames, in that of white noise.
+TEST(FramesOfThresholdMasks, HaveLittlePowerAtLowFrequenciesInTime) {
+    constexpr std::size_t kFrames = 16, kPixels = 24 * 24;
+    const ThresholdMask mask = threshold_mask(24, 24, 0, kFrames);
+    for (const auto& [cycles, most] : {std::pair(1, 0.06), {2, 0.3}}) {
+        double sum = 0;
+        for (std::size_t pixel = 0; pixel < kPixels; ++pixel) {
+            std::complex<double> amplitude = 0;
+            for (std::size_t frame = 0; frame < kFrames; ++frame)
+                amplitude += (mask.ranks[frame * kPixels + pixel] + 0.5) / (kFrames * kPixels) *
+                             std::polar(1., 2 * std::numbers::pi * cycles *
+                                                static_cast<double>(frame) / kFrames);
+            sum += std::norm(amplitude) * 12 / kFrames;
+        }
+        EXPECT_LT(sum / kPixels, most) << cycles;
+    }
+}
+
 TEST(AThresholdMask, IsTheSameForASeedAndAnotherForAnother) {
     EXPECT_EQ(threshold_mask(32, 32, 3).ranks, threshold_mask(32, 32, 3).ranks);
     EXPECT_NE(threshold_mask(32, 32, 3).ranks, threshold_mask(32, 32, 4).ranks);
@@ -77,6 +125,9 @@ TEST(AThresholdMask, HasSidesOf8To1024Pixels) {
               "size 7x64: each side must be 8 to 1024 pixels");
     EXPECT_EQ(tests::refusal_of([] { threshold_mask(64, 1025); }),
               "size 64x1025: each side must be 8 to 1024 pixels");
+    EXPECT_EQ(
+        tests::refusal_of([] { threshold_mask(64, 64, 0, 0); }),
+        "frames 0: must be 1 to 256 for this size: all together have at most 1024x1024 pixels");
 }
 
 }  // namespace

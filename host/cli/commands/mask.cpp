@@ -1,14 +1,19 @@
 // The options of `lacuna mask`, and its run.
 #include "cli/commands/commands.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <lacuna/threshold_mask.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/number_text.h"
@@ -28,11 +33,14 @@ constexpr const char* kMaskDescription =
 Examples:
   lacuna mask 64x64 -o mask.png                  16 bits a pixel
   lacuna mask 128x128 --bits 8 --seed 3 -o mask.png
+  lacuna mask 64x64 --frames 16 -o 'mask{frame}.png'   for a film: even in space and in time
 
 Each pixel has its rank, in proportion to the largest number that it can hold. For every level the
 pixels under it are spread evenly, also across the tile's edges: compare a picture with the tile,
 repeated, and it becomes black and white with the noise at high frequencies. 64 x 64 pixels take
-0.05 s; the time grows with the square of their number.
+0.05 s; the time grows with the square of their number. --frames makes tiles of which each is spread
+as evenly, and the values of each pixel vary as fast as they can from tile to tile: their mean over
+a few frames is even, too. After the last tile comes the first one again.
 
 Exit code: 0 done, 2 bad usage, 3 a file cannot be written, 130 interrupted.
 )";
@@ -40,6 +48,7 @@ Exit code: 0 done, 2 bad usage, 3 a file cannot be written, 130 interrupted.
 struct MaskCommand {
     std::string size;
     std::uint64_t seed = 0;
+    std::optional<std::uint32_t> frames;
     std::uint32_t bits = 16;
     OutputOptions output;
     bool quiet = false;
@@ -72,11 +81,36 @@ std::vector<std::uint16_t> numbers_of(const ThresholdMask& mask, unsigned bits) 
     return numbers;
 }
 
+// The paths of all frames, with the frame's number in place of {frame}: first those of frame 0.
+std::vector<std::string> paths_of_frames(const MaskCommand& options) {
+    constexpr std::string_view kFrame = "{frame}";
+    const std::vector<std::string>& paths = options.output.paths;
+    if (!options.frames) return paths;
+    constexpr std::uint32_t kMostFrames = 16384;  // of the smallest size
+    if (*options.frames > kMostFrames)
+        throw BadRequest("frames", std::to_string(*options.frames), "must be at most 16384");
+    const std::uint32_t last = std::max(*options.frames, 1u) - 1;
+    std::vector<std::string> all;
+    for (std::uint32_t frame = 0; frame <= last; ++frame)
+        for (const std::string& path : paths) {
+            if (path.find(kFrame) == std::string::npos)
+                throw BadRequest("output", shown(path),
+                                 "must have {frame} in its name, for --frames: a file a tile");
+            const std::size_t digits = std::to_string(last).size();
+            all.push_back(with_name(path, kFrame, fmt::format("{:0{}}", frame, digits)));
+        }
+    if (all.empty())
+        throw BadRequest("frames", std::to_string(*options.frames),
+                         "needs an --output with {frame} in its name, such as 'mask{frame}.png'");
+    return all;
+}
+
 // A message names the argument as --help does.
 ThresholdMask made(const Sides& sides, const MaskCommand& options) {
     try {
-        return threshold_mask(sides.columns, sides.rows, options.seed);
+        return threshold_mask(sides.columns, sides.rows, options.seed, options.frames.value_or(1));
     } catch (const BadRequest& error) {
+        if (error.option() != "size") throw;
         throw BadUsage("SIZE" + std::string(error.what()).substr(error.option().size()));
     }
 }
@@ -88,26 +122,36 @@ void run(const CommandLine& line, const MaskCommand& options) {
     for (const std::string& path : options.output.paths)
         if (!path.ends_with(".png") && !is_stream(path))
             throw BadRequest("output", shown(path), "the extension must be .png");
-    const std::vector<Output> outputs = outputs_of(options.output, ".png", "png");
+    OutputOptions output = options.output;
+    output.paths = paths_of_frames(options);
+    const std::vector<Output> outputs = outputs_of(output, ".png", "png");
     check_given_files(files_read(line), given_files(outputs));
     Interruption interruption;
     const ThresholdMask mask = made(sides, options);
+    const std::vector<std::uint16_t> numbers = numbers_of(mask, options.bits);
+    const std::size_t pixels = numbers.size() / mask.frames;
     Writing writing(interruption);
-    for (const Output& output : outputs)
-        writing.add(output.path, [&] {
-            return pictures::grey_png(sides.columns, options.bits, numbers_of(mask, options.bits));
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        writing.add(outputs[i].path, [&, frame = i * mask.frames / outputs.size()] {
+            return pictures::grey_png(sides.columns, options.bits,
+                                      std::span(numbers).subspan(frame * pixels, pixels));
         });
     writing.write();
     if (options.quiet || has_standard_output(outputs)) return;
-    const std::string summary = fmt::format("{} thresholds of {} bits -> {}", mask.ranks.size(),
-                                            options.bits, paths_of(outputs));
+    const std::string of_frames = options.frames ? fmt::format(" in {} frames", mask.frames) : "";
+    const std::string summary =
+        fmt::format("{} thresholds of {} bits{} -> {}", numbers.size(), options.bits, of_frames,
+                    fmt::join(options.output.paths, ", "));
     std::fputs((printable(summary) + "\n").c_str(), stderr);
 }
 
 // Where the value of each option goes.
 Targets targets_of(MaskCommand& all) {
-    Targets targets{
-        {"SIZE", &all.size}, {"seed", &all.seed}, {"bits", &all.bits}, {"quiet", &all.quiet}};
+    Targets targets{{"SIZE", &all.size},
+                    {"seed", &all.seed},
+                    {"frames", &all.frames},
+                    {"bits", &all.bits},
+                    {"quiet", &all.quiet}};
     targets.merge(targets_of(all.output));
     return targets;
 }
