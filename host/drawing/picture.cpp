@@ -196,7 +196,7 @@ std::string draw_png(const files::PointSet& set, const Style& style) {
 
 // A pixel for each pixel that points may lie on: white with a point, black without.
 std::string draw_pixels(const files::PointSet& set) {
-    const Raster& raster = *set.on_pixels;
+    const lacuna::Raster& raster = *set.on_pixels;
     const Domain& domain = set.domain;
     const Surface surface = checked(cairo_image_surface_create(
         CAIRO_FORMAT_A8, static_cast<int>(raster.columns), static_cast<int>(raster.rows)));

@@ -131,11 +131,9 @@ def domain_in(name: str, value: object) -> Extent:
 
 def raster_in(name: str, value: object) -> tuple[int, int]:
     """(columns, rows) of pixels."""
-    try:
-        columns, rows = value  # type: ignore[misc]
-    except (TypeError, ValueError):
-        raise TypeError(f"{name} must be (columns, rows), not {shown(value)}") from None
-    return whole(name, columns, 0, 2**32 - 1), whole(name, rows, 0, 2**32 - 1)
+    if not isinstance(value, (tuple, list)) or len(value) != 2:
+        raise TypeError(f"{name} must be (columns, rows), not {shown(value)}")
+    return whole(name, value[0], 0, 2**32 - 1), whole(name, value[1], 0, 2**32 - 1)
 
 
 def corner_and_sides(domain: Extent) -> tuple[float, float, float, float]:

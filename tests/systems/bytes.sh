@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bytes.sh PROGRAM BACKEND...: makes 16 sets with each backend, and prints SHA-256 and request
+# bytes.sh PROGRAM BACKEND...: makes 17 sets with each backend, and prints SHA-256 and request
 # for each. Two systems that keep Lacuna's promise print the same lines.
 set -euo pipefail
 program=$1
@@ -22,6 +22,7 @@ requests=(
     "sample --field $picture --count 3000"
     "sample --field $picture --scale 0.02 --torus"
     "sample --radius 0.01 --inside $scratch/triangle.txt --border 0.01"
+    "sample --on-pixels 90x60 --count 1500 --field $picture"
     "sample --stretch 0.04:0.01@30 --torus --seed 5"
     "stipple $picture --count 4000 --relax 0"
     "stipple $picture --count 4000 --relax 0 --metric max --seed 2"
