@@ -178,7 +178,7 @@ TEST(Plan, RefusesRoundsThatNoMemoryHolds) {
 TEST(Plan, RefusesEnumsOutOfRange) {
     Request request = with_radius(0.1);
     request.mode = static_cast<Mode>(7);
-    EXPECT_EQ(refusal(request), "mode 7: must be Mode::exact, lines, cells or stratified");
+    EXPECT_EQ(refusal(request), "mode 7: must be Mode::exact, lines, cells, stratified or pixels");
     request = with_radius(0.1);
     request.domain.boundary = static_cast<Boundary>(2);
     EXPECT_EQ(refusal(request), "boundary 2: must be Boundary::box or torus");
