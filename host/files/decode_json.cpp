@@ -42,6 +42,7 @@ struct JsonHeader {
     bool has_dots = false;
     std::vector<double> distances;
     std::vector<double> weights;
+    std::vector<double> borders;
 };
 
 // Takes the parser's events: an array of pairs, or an object whose key "points" holds one.
@@ -180,6 +181,7 @@ private:
         if (key_ == "ellipses") header_.ellipses.push_back(value);
         if (key_ == "options" && key_within_ == "distances") header_.distances.push_back(value);
         if (key_ == "options" && key_within_ == "weights") header_.weights.push_back(value);
+        if (key_ == "options" && key_within_ == "borders") header_.borders.push_back(value);
     }
 
     bool scalar(const std::string& what) {
@@ -260,6 +262,7 @@ void take_columns(const JsonHeader& header, const std::string& name, SetsOfFile&
     take_layers(header.inks, header.ink_of_point, "ink", "inks", name, points, file.inks);
     file.distances = header.distances;
     file.weights = header.weights;
+    file.borders = header.borders;
     const std::vector<double>& numbers = header.ellipses;
     if (!numbers.empty() && numbers.size() != 3 * points)
         refuse(name,

@@ -49,9 +49,10 @@ struct SetsOfFile {
     // The names of columns that were not read, such as radius. A command that writes these points
     // again would lose them.
     std::vector<std::string> other_columns;
-    // In .json: the distances of classes and how often each is drawn, as in Classes.
+    // In .json: the distances of classes, how often each is drawn and their borders, as in Classes.
     std::vector<double> distances;
     std::vector<double> weights;
+    std::vector<double> borders;
 };
 
 // The format is chosen by the extension; "-" is standard input, as txt:

@@ -71,8 +71,7 @@ bool holds_way(const Request& request, Point point, Point way) {
     return holds;
 }
 
-bool is_allowed(const Request& request, Point point) {
-    const Mask& mask = *request.mask;
+bool is_allowed(const Request& request, const Mask& mask, Point point) {
     if (mask.drawn) return mask.drawn->holds(point);
     bool allowed = false;
     for_pixels_at(request, point, mask.columns, mask.rows,
@@ -214,7 +213,7 @@ std::vector<double> times(std::span<const double> radii, double factor) {
     return all;
 }
 
-std::size_t class_of_kept(const Request& request, std::uint32_t index) {
+std::size_t class_of_kept(const Request& request, std::size_t index) {
     return request.classes.names.empty() ? 0 : request.keep_classes[index];
 }
 
@@ -257,14 +256,16 @@ void check_kept_place(const Request& request, std::size_t index, const char* opt
     const Domain& domain = request.domain;
     if (!domain.holds(point))
         refuse("must lie in the domain, " + extent_of(domain, domain.wraps() ? ')' : ']'));
-    const double border = request.border;
+    const std::size_t of_class = class_of_kept(request, index);
+    const double border = border_of(request, of_class);
+    const Mask* const mask = mask_of(request, of_class);
     const Point way = domain.from_corner(point);
     if (way.x < border || domain.width - way.x < border || way.y < border ||
         domain.height - way.y < border)
         refuse("must be at least the border, " + shortest(border) + ", from the domain's edges");
-    if (request.mask != nullptr && !is_allowed(request, point))
-        refuse(request.mask->drawn ? "must lie where --inside, --outside and --avoid allow it"
-                                   : "must lie where the mask is not 0");
+    if (mask != nullptr && !is_allowed(request, *mask, point))
+        refuse(mask->drawn ? "must lie where --inside, --outside and --avoid allow it"
+                           : "must lie where the mask is not 0");
     if (request.field != nullptr && greatest_importance_at(request, point) == 0)
         refuse("must lie where the field is not 0");
 }

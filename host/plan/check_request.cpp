@@ -223,6 +223,8 @@ CheckedRequest::CheckedRequest(const Request& request) : request_(request) {
     std::optional<double>& size = request.field != nullptr ? request_.scale : request_.radius;
     if (!size && !request.count) size = least_distance_of(classes);
     if (classes.names.size() > 1) return;
+    request_.border = border_of(request, 0);
+    request_.mask = mask_of(request, 0);
     classes = {};
     request_.keep_classes = {};
 }

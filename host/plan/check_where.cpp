@@ -25,15 +25,32 @@ void check_mask(const Mask& mask) {
                          "samples must be allowed somewhere: some value must not be 0");
 }
 
-void check_border(const Request& request) {
+// `value` is the border as a message shows it.
+void check_border(const Request& request, double border, const std::string& value) {
     const double half = request.domain.shorter_side() / 2;
-    const std::string value = shortest(request.border);
-    if (!(request.border >= 0 && request.border < half))
+    if (!(border >= 0 && border < half))
         throw BadRequest(
             "border", value,
             "must be at least 0 and under half of the domain's shorter side, " + shortest(half));
-    if (request.border > 0 && request.domain.wraps())
+    if (border > 0 && request.domain.wraps())
         throw BadRequest("border", value, "is not for a torus, which has no edges");
+}
+
+void check_places_of_classes(const Request& request) {
+    const Classes& classes = request.classes;
+    const std::size_t count = classes.names.size();
+    const auto check_size = [&](const char* option, std::size_t size, const char* what) {
+        if (size != 0 && size != count)
+            throw BadRequest(option, std::to_string(size) + what,
+                             "must be one for each of the " + std::to_string(count) + " classes");
+    };
+    check_size("border", classes.borders.size(), " borders of classes");
+    check_size("mask", classes.masks.size(), " masks of classes");
+    for (std::size_t i = 0; i < classes.borders.size(); ++i)
+        check_border(request, classes.borders[i],
+                     classes.names[i] + ":" + shortest(classes.borders[i]));
+    for (const Mask* mask : classes.masks)
+        if (mask != nullptr) check_mask(*mask);
 }
 
 }  // namespace
@@ -46,7 +63,8 @@ void check_where(const Request& request) {
     if (request.border != 0 && !exact) throw BadRequest("border", mode, "is for mode exact only");
     if (!request.keep.empty() && !exact) throw BadRequest("keep", mode, "is for mode exact only");
     if (request.mask != nullptr) check_mask(*request.mask);
-    check_border(request);
+    check_border(request, request.border, shortest(request.border));
+    check_places_of_classes(request);
     for_each_polled(request.keep.size(), ask, [&](std::size_t i) { check_kept_place(request, i); });
     if (request.count && !request.progressive && *request.count < request.keep.size())
         throw BadRequest("count", std::to_string(*request.count),

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "base/large_pages.h"
 #include "base/polling.h"
@@ -26,9 +27,10 @@ constexpr std::uint32_t kRadiiOfBlock = 6;
 
 class Halving {
 public:
-    explicit Halving(const Plan& plan)
+    Halving(const Plan& plan, const PlacesOfClasses& places)
         : radius_field_(*plan.field().radius_field),
           sheets_(plan.field().sheets),
+          places_(places),
           pieces_(plan.lines_per_radius) {
         // Reserves about as many as there will be boxes. Memory that stays unused is never touched.
         const std::size_t boxes = plan.maximal_samples;
@@ -56,6 +58,7 @@ public:
     void cut_sheet(std::uint32_t sheet, const Box& domain) {
         const std::size_t node = first_.nodes.size();
         factor_ = sheets_.factor_of_boxes(sheet);
+        own_ = places_.empty() ? nullptr : places_[sheet].get();
         cut({sheets_.x_on(sheet, domain.x), domain.width, domain.begin, domain.end}, 0);
         if (first_.nodes.size() > node) first_.sheets.push_back(static_cast<std::uint32_t>(node));
     }
@@ -63,7 +66,7 @@ public:
     void cut(const Box& box, std::size_t whole) {
         ask_after(8);
         const Under under = radius_field_.under(box);
-        if (under.least == 0) return;
+        if (under.least == 0 || is_closed(within_border(box))) return;
         const std::size_t node = first_.nodes.size();
         const std::uint32_t block = blocks();
         first_.nodes.push_back({box, under.greatest, 0, block, static_cast<std::uint32_t>(whole)});
@@ -74,7 +77,7 @@ public:
                 first_.blocks.push_back({first, under.is_even ? under.greatest : 0,
                                          static_cast<std::uint32_t>(node), under.least});
         } else {
-            cut_in_two(box, under, [&](const Box& part) { cut(part, node); });
+            cut_in_two(radius_field_, box, under, [&](const Box& part) { cut(part, node); });
         }
         // If nothing in a large box is allowed, this may show in its parts only: its nodes are
         // removed.
@@ -174,24 +177,46 @@ private:
                std::max(sides.along_x, sides.along_y) * pieces <= radii * sides.radius;
     }
 
-    void cut_block(const Box& box, const Under& under) {
-        if (under.least == 0) return;
-        if (is_short(box, under, kRadii, pieces_)) return first_.boxes.push_back(box);
-        cut_in_two(box, under,
+    // The part of a box that lies within the border of the sheet's class.
+    Box within_border(const Box& box) const {
+        if (own_ == nullptr) return box;
+        const RadiusField::Shape& shape = own_->shape();
+        const std::uint32_t sheet = box.x - sheets_.x_on_sheet(box.x);
+        const std::uint32_t x = std::max(box.x, sheet + shape.low_x);
+        const std::uint32_t end = std::max(x, std::min(box.x + box.width, sheet + shape.high_x));
+        return {x, end - x, std::max(box.begin, shape.low_y), std::min(box.end, shape.high_y)};
+    }
+    // Whether the class of the sheet has places of its own, and none of them is in the box.
+    bool is_closed(const Box& box) const {
+        return own_ != nullptr &&
+               (box.width == 0 || box.begin >= box.end || own_->under(box).least == 0);
+    }
+
+    void cut_block(const Box& whole, const Under& under) {
+        const Box box = within_border(whole);
+        if (under.least == 0 || is_closed(box)) return;
+        if (is_short(box, under, kRadii, pieces_)) return add_box(box);
+        cut_in_two(radius_field_, box, under,
                    [&](const Box& part) { cut_block(part, radius_field_.under(part)); });
     }
 
+    // Cuts a box along the mask of its class, if that has one of its own, down to single pixels.
+    void add_box(const Box& box) {
+        if (is_closed(box)) return;
+        if (own_ == nullptr || !own_->is_mask_mixed(box)) return first_.boxes.push_back(box);
+        cut_in_two(*own_, box, own_->under(box), [&](const Box& part) { add_box(part); });
+    }
+
     template <typename Take>
-    void cut_in_two(const Box& box, const Under& under, Take take) {
+    void cut_in_two(const RadiusField& field, const Box& box, const Under& under, Take take) {
         const std::uint32_t height = box.end - box.begin;
         const Sides sides = sides_of(box, under);
         if (box.width > 1 && (height == 1 || sides.along_x >= sides.along_y)) {
-            const std::uint32_t x =
-                under.is_even ? box.x + box.width / 2 : radius_field_.cut_x(box);
+            const std::uint32_t x = under.is_even ? box.x + box.width / 2 : field.cut_x(box);
             take(Box{box.x, x - box.x, box.begin, box.end});
             take(Box{x, box.x + box.width - x, box.begin, box.end});
         } else {
-            std::uint32_t y = under.is_even ? 0 : radius_field_.cut_y(box);
+            std::uint32_t y = under.is_even ? 0 : field.cut_y(box);
             if (y == 0) y = box.begin + height / 2;
             take(Box{box.x, box.width, box.begin, y});
             take(Box{box.x, box.width, y, box.end});
@@ -204,6 +229,8 @@ private:
 
     const RadiusField& radius_field_;
     const Sheets& sheets_;
+    const PlacesOfClasses& places_;
+    const RadiusField* own_ = nullptr;   // the places of the sheet's class alone
     std::uint32_t factor_ = FACTOR_ONE;  // of the radii to which lengths are compared
     std::uint32_t pieces_;
     std::uint32_t most_in_region_ = 0;  // boxes
@@ -221,9 +248,9 @@ std::vector<std::uint32_t> FirstBoxes::part_counts() const {
     return counts;
 }
 
-FirstBoxes first_boxes(const Plan& plan) {
+FirstBoxes first_boxes(const Plan& plan, const PlacesOfClasses& places) {
     const RadiusField::Shape& shape = plan.field().radius_field->shape();
-    Halving halving(plan);
+    Halving halving(plan, places);
     halving.cut_sheets({shape.low_x, shape.high_x - shape.low_x, shape.low_y, shape.high_y});
     return halving.take();
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "plan/pixels.h"
@@ -62,6 +63,11 @@ struct FirstBoxes {
     std::vector<Zone> zones;
 };
 
-FirstBoxes first_boxes(const Plan& plan);
+// Of each class, where it may lie: a radius field with its border and mask. The boxes on its sheet
+// are cut along both, so that the plan's radius field needs neither. Empty: all classes may lie
+// where the plan's radius field says.
+using PlacesOfClasses = std::vector<std::shared_ptr<const RadiusField>>;
+
+FirstBoxes first_boxes(const Plan& plan, const PlacesOfClasses& places = {});
 
 }  // namespace lacuna

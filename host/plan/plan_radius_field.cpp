@@ -22,13 +22,14 @@
 namespace lacuna {
 namespace {
 
-// The integral of the importance where samples may lie, as a fraction of a domain that has the
-// greatest importance everywhere.
-double share_of(const Request& request, double greatest, const Poll& poll) {
+// The integral of the importance where samples of a class may lie, as a fraction of a domain that
+// has the greatest importance everywhere.
+double share_of(const Request& request, std::size_t of_class, double greatest, const Poll& poll) {
     const Field* const field = request.field;
-    const Mask* const mask = request.mask;
-    const double inside = (request.domain.width - 2 * request.border) / request.domain.width *
-                          (request.domain.height - 2 * request.border) / request.domain.height;
+    const Mask* const mask = mask_of(request, of_class);
+    const double border = border_of(request, of_class);
+    const double inside = (request.domain.width - 2 * border) / request.domain.width *
+                          (request.domain.height - 2 * border) / request.domain.height;
     double sum = 0;
     if (mask == nullptr) {
         if (field == nullptr) return inside;
@@ -101,9 +102,8 @@ double greatest_of(const Request& request) {
 
 // The part of the domain inside the border. Distances from the edges are computed from the
 // coordinates that the user gets, which are rounded when the corner is added.
-RadiusField::Shape shape_of(const Request& request, std::uint32_t width, std::uint32_t height,
-                            std::uint32_t last_on_sheet) {
-    const double border = request.border;
+RadiusField::Shape shape_of(const Request& request, double border, std::uint32_t width,
+                            std::uint32_t height, std::uint32_t last_on_sheet) {
     const double unit_x = request.domain.width / width;
     const double unit_y = request.domain.height / height;
     const auto low = [&](double unit, double corner) {
@@ -192,7 +192,8 @@ double crowd_of_boxes(const Request& request) {
 // `samples` is the number that a class of the least distance has where it is alone.
 void check_size(const Request& request, const std::string& option, const std::string& value,
                 double least_radius, double samples) {
-    constexpr double kBytesPerSample = 250, kBytesPerPixel = 12, kBytesPerMaskPixel = 4. / 3;
+    constexpr double kBytesPerSample = 250, kBytesPerPixel = 12, kBytesPerMaskPixel = 4. / 3,
+                     kBytesPerBox = 50;
     constexpr double kBytesPerEllipse = sizeof(portable::Ellipse);
     const double longer = request.domain.longer_side();
     if (!(least_radius >= longer * kSmallestRadius))
@@ -201,14 +202,20 @@ void check_size(const Request& request, const std::string& option, const std::st
                              ": it must be at least " + shortest(longer * kSmallestRadius) +
                              ", the longer side / 2^20, or the grid's units run out");
     double bytes = samples * crowd_of_boxes(request) * kBytesPerSample;
-    if (request.field != nullptr)
-        bytes += static_cast<double>(request.field->importance.size()) * kBytesPerPixel +
-                 static_cast<double>(request.field->stretches.size()) * kBytesPerEllipse;
-    if (request.mask != nullptr)
-        bytes += static_cast<double>(request.mask->allowed.size()) * kBytesPerMaskPixel;
-    if (request.mask != nullptr && request.mask->drawn)
-        bytes +=
-            static_cast<double>(request.mask->drawn->tree.nodes().size()) * sizeof(MaskTree::Node);
+    // Boxes of a class are cut along a mask of its own, down to the slots of the tree.
+    const bool are_alike = !has_own_places(request.classes);
+    const double boxes_of_pixel = are_alike ? 0 : kBytesPerBox;
+    for (std::size_t i = 0; i < (are_alike ? 1 : request.classes.names.size()); ++i) {
+        if (request.field != nullptr)
+            bytes += static_cast<double>(request.field->importance.size()) * kBytesPerPixel +
+                     static_cast<double>(request.field->stretches.size()) * kBytesPerEllipse;
+        const Mask* const mask = mask_of(request, i);
+        if (mask == nullptr) continue;
+        bytes += static_cast<double>(mask->allowed.size()) * (kBytesPerMaskPixel + boxes_of_pixel);
+        if (mask->drawn)
+            bytes += static_cast<double>(mask->drawn->tree.nodes().size()) *
+                     (sizeof(MaskTree::Node) + MaskTree::kSlots * boxes_of_pixel);
+    }
     refuse_more_memory(request, option, value, bytes);
 }
 
@@ -240,6 +247,20 @@ double crowd_of(const Request& request) {
             crowd += 1 / (own * own);
     }
     return crowd;
+}
+
+// The same share for all classes together: the mean of theirs, in proportion to their samples.
+double share_of(const Request& request, double greatest, const Poll& poll) {
+    if (!has_own_places(request.classes)) return share_of(request, 0, greatest, poll);
+    const std::vector<double> distances = distances_of(request);
+    const std::size_t count = request.classes.names.size();
+    double samples = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double own = distances[i * (count + 1)];
+        if (request.classes.weights.empty() || request.classes.weights[i] > 0)
+            samples += share_of(request, i, greatest, poll) / (own * own);
+    }
+    return samples / crowd_of(request);
 }
 
 // Units along the longer side: no sheet may reach into the next, nor the last one beyond 32 bits.
@@ -298,10 +319,16 @@ Plan make_radius_field_plan(const CheckedRequest& checked, const Poll& poll,
     plan.height = static_cast<std::uint32_t>(units * (request.domain.height / longer));
     plan.lines = 1;
     plan.strip_width = plan.width;
-    const RadiusField::Shape shape =
-        shape_of(request, plan.width, plan.height, field.sheets.last());
-    field.radius_field =
-        std::make_shared<const RadiusField>(request.field, scale, request.mask, shape, poll);
+    const auto field_of = [&](double border, const Mask* mask) {
+        return std::make_shared<const RadiusField>(
+            request.field, scale, mask,
+            shape_of(request, border, plan.width, plan.height, field.sheets.last()), poll);
+    };
+    const bool are_alike = !has_own_places(request.classes);
+    field.radius_field = are_alike ? field_of(request.border, request.mask) : field_of(0, nullptr);
+    PlacesOfClasses places;
+    for (std::uint32_t i = 0; !are_alike && i < field.sheets.count(); ++i)
+        places.push_back(field_of(border_of(request, i), mask_of(request, i)));
     check_lengths(request, *field.radius_field);
     field.kept = kept_on(*field.radius_field, field.sheets, request);
     for (const Sample sample : samples)
@@ -313,7 +340,7 @@ Plan make_radius_field_plan(const CheckedRequest& checked, const Poll& poll,
     const std::uint64_t limit = request.limit.value_or(std::numeric_limits<std::uint64_t>::max());
     finish_plan(plan, request, limit - std::min<std::uint64_t>(limit, field.kept.size()), expected);
     plan.of_mode = std::move(field);
-    auto boxes = std::make_shared<const FirstBoxes>(first_boxes(plan));
+    auto boxes = std::make_shared<const FirstBoxes>(first_boxes(plan, places));
     std::get<FieldPlan>(plan.of_mode).first_boxes = std::move(boxes);
     return plan;
 }

@@ -133,7 +133,8 @@ Under RadiusField::under(const Box& on_sheet) const {
             (is_one || !radii.are_mixed()) && allowed == ALLOWED_ALL};
 }
 
-bool RadiusField::is_mask_mixed(const Box& box) const {
+bool RadiusField::is_mask_mixed(const Box& on_sheet) const {
+    const Box box = on_domain(on_sheet);
     return mask_ && mask_->over(pixels_of(*mask_columns_, box.x, box.x + box.width),
                                 pixels_of(*mask_rows_, box.begin, box.end)) == ALLOWED_SOME;
 }

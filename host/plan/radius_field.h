@@ -95,6 +95,8 @@ public:
         return found.is_even ? ellipse_at(box.x, box.begin) : portable::circle_of(found.least);
     }
 
+    // Whether the mask allows a part of the box on a domain, and perhaps a little around it.
+    bool is_mask_mixed(const Box& on_sheet) const;
     // Where to halve a box: at a border of pixels near its middle if it lies on unlike pixels,
     // otherwise in the middle along x. 0 means that the box is not cut on this axis.
     std::uint32_t cut_x(const Box& box) const;
@@ -115,7 +117,6 @@ private:
     Box on_domain(const Box& box) const {
         return {box.x & shape_.last_on_sheet, box.width, box.begin, box.end};
     }
-    bool is_mask_mixed(const Box& box) const;
     bool are_radii_mixed(const Box& box) const;
 
     Shape shape_;

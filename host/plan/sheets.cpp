@@ -158,12 +158,26 @@ Sheets sheets_of(const Request& request) {
     return {static_cast<std::uint32_t>(weights.size()), distances_of(request), weights};
 }
 
+double border_of(const Request& request, std::size_t of_class) {
+    const std::vector<double>& own = request.classes.borders;
+    return own.empty() ? request.border : own[of_class];
+}
+
+const Mask* mask_of(const Request& request, std::size_t of_class) {
+    const std::vector<const Mask*>& own = request.classes.masks;
+    return own.empty() || own[of_class] == nullptr ? request.mask : own[of_class];
+}
+
+bool has_own_places(const Classes& classes) {
+    return !classes.borders.empty() || !classes.masks.empty();
+}
+
 void check_classes(const Request& request) {
     const Classes& classes = request.classes;
     const std::string mode = "with mode " + std::string(name_of(request.mode));
     if (classes.names.empty()) {
-        if (!classes.distances.empty() || !classes.weights.empty())
-            throw BadRequest("between", "distances or weights",
+        if (!classes.distances.empty() || !classes.weights.empty() || has_own_places(classes))
+            throw BadRequest("between", "distances, weights, borders or masks",
                              "are for classes, which lack names");
         if (!request.keep_classes.empty())
             throw BadRequest("keep", "classes of points", "are for requests with classes");

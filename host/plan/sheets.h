@@ -4,6 +4,7 @@
 
 #include <lacuna/lacuna.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -66,6 +67,13 @@ double least_distance_of(const Classes& classes);
 // The distances that classes keep in a set, over those of its request: not 1 if the request has a
 // count, or a radius or scale of its own.
 double distance_factor(const Request& request, const Result& result);
+
+// Where samples of a class may lie: its own border and mask, or those of the request. The class is
+// 0 in a request without classes.
+double border_of(const Request& request, std::size_t of_class);
+const Mask* mask_of(const Request& request, std::size_t of_class);
+// Whether a class may have a border or a mask of its own.
+bool has_own_places(const Classes& classes);
 
 // Checks the names, radii, weights and distances of classes. Throws BadRequest.
 void check_classes(const Request& request);

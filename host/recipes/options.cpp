@@ -128,9 +128,13 @@ constexpr Row kRows[] = {
     {{"edge", "E", Kind::number, kPlaced},
      "How far inside the outline of polygons points may begin (default: a sixteenth of the least "
      "radius)"},
-    {{"border", "D", Kind::number, kPlaced},
+    {{"border", "[NAME:]D", Kind::text, kPlaced, {.repeats = true}},
      "Least distance of points to the domain's edges, and to the outlines of --inside and "
-     "--outside (default 0)"},
+     "--outside (default 0); NAME:D is that of one class, and may be given for each"},
+    {{"inside-by-radius", "", Kind::flag, kPlaced},
+     "No object overhangs the domain's edges, the outlines of --inside and --outside, or the "
+     "obstacles of --avoid: points keep half of their --radius from them, and those of a class its "
+     "own radius"},
     {{"keep", "FILE", Kind::read_file, kPlaced},
      "Points that are there already: they come first, unmoved, and new points fill the space "
      "around them"},

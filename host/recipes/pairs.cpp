@@ -53,6 +53,13 @@ constexpr Pairs kPairs[] = {
      "is for the outlines in these files: give one too"},
     {kSample | kVerify, "mask", Needs::none_of, "inside outside avoid",
      "draw these into the picture"},
+    {kSample | kVerify, "inside-by-radius", Needs::none_of, "border", "both say how far to stay"},
+    {kSample | kVerify, "inside-by-radius", Needs::none_of, "count",
+     "the radius must be known before: give it"},
+    {kSample | kVerify, "inside-by-radius", Needs::none_of, "field ellipses stretch",
+     "is for disks of one size, or of one for each class"},
+    {kSample | kVerify, "inside-by-radius", Needs::none_of, "mask", "its pixels have no outline"},
+    {kSample | kVerify, "inside-by-radius", Needs::none_of, "torus", "a torus has no edges"},
 
     // Pixels
     {kSample, "on-pixels", Needs::none_of,
@@ -67,7 +74,8 @@ constexpr Pairs kPairs[] = {
     // Moving points
     {kSample, "relax gaussian", Needs::none_of, "progressive", "it moves the points"},
     {kSample, "relax gaussian", Needs::none_of, "seeds", "relax each file with lacuna relax"},
-    {kSample, "relax gaussian", Needs::none_of, "mask inside outside avoid border keep",
+    {kSample, "relax gaussian", Needs::none_of,
+     "mask inside outside avoid border inside-by-radius keep",
      "it would move points to where none may lie, and points that are kept"},
     {kSample, "relax gaussian", Needs::none_of, "class", "it keeps no distances"},
     {kSample, "relax gaussian", Needs::none_of, "ellipses stretch along", "relaxing has disks"},

@@ -41,7 +41,51 @@ private:
     std::vector<std::vector<std::size_t>> of_class_;
 };
 
+// Polygons from the domain's corner on.
+class MovedPolygons {
+public:
+    MovedPolygons(std::span<const PolygonSet> sets, const Domain& domain)
+        : sets_(sets.begin(), sets.end()) {
+        if (domain.x0 == 0 && domain.y0 == 0) return;
+        rings_.reserve(sets_.size());
+        for (PolygonSet& set : sets_) {
+            std::vector<PolygonRing>& rings =
+                rings_.emplace_back(set.rings.begin(), set.rings.end());
+            for (PolygonRing& ring : rings)
+                for (Point& point : ring) point = {point.x - domain.x0, point.y - domain.y0};
+            set.rings = rings;
+        }
+    }
+    std::span<const PolygonSet> all() const { return sets_; }
+
+private:
+    std::vector<std::vector<PolygonRing>> rings_;
+    std::vector<PolygonSet> sets_;
+};
+
 }  // namespace
+
+bool has_own_places(const Claim& claim) {
+    return !claim.classes.borders.empty() || !claim.classes.masks.empty() ||
+           !claim.polygons_of_classes.empty();
+}
+
+Fields::Fields(const Domain& domain, const FieldParts& parts, const Claim& claim) {
+    const auto add = [&](FieldParts own, std::span<const PolygonSet> polygons) {
+        const MovedPolygons moved(polygons, domain);
+        own.polygons = moved.all();
+        fields_.emplace_back(domain, own);  // copies the polygons
+    };
+    const Classes& classes = claim.classes;
+    const bool are_alike = !has_own_places(claim);
+    if (are_alike) add(parts, claim.polygons);
+    for (std::size_t i = 0; !are_alike && i < classes.names.size(); ++i) {
+        FieldParts own = parts;
+        if (!classes.borders.empty()) own.border = classes.borders[i];
+        if (!classes.masks.empty() && classes.masks[i] != nullptr) own.mask = classes.masks[i];
+        add(own, claim.polygons_of_classes.empty() ? claim.polygons : claim.polygons_of_classes[i]);
+    }
+}
 
 // The closest pair of all classes: within each, and between each two.
 Pair closest_of_classes(const Domain& domain, const Claim& claim, std::span<const Disk> samples,
@@ -68,7 +112,7 @@ Pair closest_of_classes(const Domain& domain, const Claim& claim, std::span<cons
     return closest;
 }
 
-GapOfClass largest_gap_of_classes(const RadiusField& radius_field, const Claim& claim,
+GapOfClass largest_gap_of_classes(const Fields& fields, const Claim& claim,
                                   std::span<const Disk> samples, double tolerance,
                                   const Patience& patience) {
     const Kinds kinds(claim);
@@ -81,7 +125,7 @@ GapOfClass largest_gap_of_classes(const RadiusField& radius_field, const Claim& 
             const std::vector<Disk> more = kinds.beside(other, kind, samples);
             disks.insert(disks.end(), more.begin(), more.end());
         }
-        const Gap gap = largest_gap(radius_field, disks, tolerance, patience);
+        const Gap gap = largest_gap(fields.of_class(kind), disks, tolerance, patience);
         if (gap.over > largest.gap.over) largest = {gap, kind};
     }
     return largest;

@@ -1,9 +1,11 @@
-// The closest pair and the largest gap of samples in classes.
+// Where samples of each class may lie, and the closest pair and the largest gap of samples in
+// classes.
 #pragma once
 
 #include <lacuna/verify.h>
 
 #include <cstddef>
+#include <deque>
 #include <span>
 
 #include "verify/closest.h"
@@ -12,6 +14,29 @@
 #include "verify/radius_field.h"
 
 namespace lacuna::verify {
+
+// A radius field for all samples, or one for each class if classes may lie in places of their own.
+class Fields {
+public:
+    // `parts` are those of all classes, and `domain` begins at (0, 0). All that these point to must
+    // outlive this. Polygons are moved by the claim's corner.
+    Fields(const Domain& domain, const FieldParts& parts, const Claim& claim);
+
+    // Radii are the same in all.
+    const RadiusField& any() const { return fields_.front(); }
+    const RadiusField& of_class(std::size_t kind) const {
+        return fields_.size() == 1 ? fields_.front() : fields_[kind];
+    }
+    const RadiusField& of_sample(const Claim& claim, std::size_t sample) const {
+        return fields_.size() == 1 ? fields_.front() : fields_[claim.class_of_points[sample]];
+    }
+
+private:
+    std::deque<RadiusField> fields_;
+};
+
+// Whether classes of a claim may lie in places of their own.
+bool has_own_places(const Claim& claim);
 
 // The samples are in the order of Claim::class_of_points, each with its radius for the least
 // distance of all classes.
@@ -23,7 +48,7 @@ struct GapOfClass {
     Gap gap;
     std::size_t of_class;
 };
-GapOfClass largest_gap_of_classes(const RadiusField& radius_field, const Claim& claim,
+GapOfClass largest_gap_of_classes(const Fields& fields, const Claim& claim,
                                   std::span<const Disk> samples, double tolerance,
                                   const Patience& patience);
 

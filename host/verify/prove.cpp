@@ -45,11 +45,13 @@ struct Samples {
 };
 
 // Stops at the first point that lies where no point may, and sets proof.forbidden.
-Samples samples_of(std::span<const Point> points, const RadiusField& radius_field, Proof& proof) {
+Samples samples_of(std::span<const Point> points, const Claim& claim, const Fields& fields,
+                   Proof& proof) {
     Samples samples;
     samples.least.reserve(points.size());
     samples.most.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
+        const RadiusField& radius_field = fields.of_sample(claim, i);
         const Point from_corner = radius_field.domain().from_corner(points[i]);
         const auto found = radius_field.radii_of_sample(from_corner);
         if (const auto* closed = std::get_if<Proof::Closed>(&found)) {
@@ -115,11 +117,10 @@ void prove_uniform(std::span<const Point> points, const Claim& claim, const Doma
         });
 }
 
-void prove_on_field(std::span<const Point> points, const Claim& claim,
-                    const RadiusField& radius_field, double tolerance, const Patience& patience,
-                    Proof& proof) {
-    const Domain& domain = radius_field.domain();
-    const Samples samples = samples_of(points, radius_field, proof);
+void prove_on_field(std::span<const Point> points, const Claim& claim, const Fields& fields,
+                    double tolerance, const Patience& patience, Proof& proof) {
+    const Domain& domain = fields.any().domain();
+    const Samples samples = samples_of(points, claim, fields, proof);
     if (proof.forbidden) return;
     const bool has_classes = !claim.classes.names.empty();
     ask(
@@ -133,8 +134,8 @@ void prove_on_field(std::span<const Point> points, const Claim& claim,
         [&] {
             const auto [gap, of_class] =
                 has_classes
-                    ? largest_gap_of_classes(radius_field, claim, samples.most, tolerance, patience)
-                    : GapOfClass{largest_gap(radius_field, samples.most, tolerance, patience), 0};
+                    ? largest_gap_of_classes(fields, claim, samples.most, tolerance, patience)
+                    : GapOfClass{largest_gap(fields.any(), samples.most, tolerance, patience), 0};
             tell_of(gap, tolerance + domain.rounding(), gap.limit, domain, proof);
             proof.largest_gap_class = of_class;
         });
@@ -159,28 +160,6 @@ void prove_on_ellipses(std::span<const Point> points, const Claim& claim,
         });
 }
 
-// Polygons from the domain's corner on.
-class MovedPolygons {
-public:
-    MovedPolygons(std::span<const PolygonSet> sets, const Domain& domain)
-        : sets_(sets.begin(), sets.end()) {
-        if (domain.x0 == 0 && domain.y0 == 0) return;
-        rings_.reserve(sets_.size());
-        for (PolygonSet& set : sets_) {
-            std::vector<PolygonRing>& rings =
-                rings_.emplace_back(set.rings.begin(), set.rings.end());
-            for (PolygonRing& ring : rings)
-                for (Point& point : ring) point = {point.x - domain.x0, point.y - domain.y0};
-            set.rings = rings;
-        }
-    }
-    std::span<const PolygonSet> all() const { return sets_; }
-
-private:
-    std::vector<std::vector<PolygonRing>> rings_;
-    std::vector<PolygonSet> sets_;
-};
-
 // The radius, or with a field the scale; with classes the least distance, unless the claim has one.
 double size_of(const Claim& claim) {
     const double size = claim.field != nullptr ? claim.scale : claim.radius;
@@ -202,14 +181,15 @@ Proof prove(std::span<const Point> points, const Claim& claim,
     if (proof.moved) return proof;
     const verify::Domain domain = domain_of(claim.domain);
     const Field one_pixel{1, 1, {1}};
-    const MovedPolygons polygons(claim.polygons, domain);
-    const verify::RadiusField radius_field(
-        domain, {.field = claim.field != nullptr ? claim.field : &one_pixel,
-                 .scale = size_of(claim),
-                 .mask = claim.mask,
-                 .polygons = polygons.all(),
-                 .edge_tolerance = claim.edge_tolerance,
-                 .border = claim.border});
+    const Fields fields(domain,
+                        {.field = claim.field != nullptr ? claim.field : &one_pixel,
+                         .scale = size_of(claim),
+                         .mask = claim.mask,
+                         .polygons = {},
+                         .edge_tolerance = claim.edge_tolerance,
+                         .border = claim.border},
+                        claim);
+    const verify::RadiusField& radius_field = fields.any();
     check_least_radius(claim, radius_field.least_radius());
     if (radius_field.has_ellipses()) check_longest_ellipse(claim, radius_field.most_radius());
     proof.outside = first_outside(points, domain);
@@ -219,7 +199,7 @@ Proof prove(std::span<const Point> points, const Claim& claim,
     } else if (radius_field.has_ellipses()) {
         prove_on_ellipses(points, claim, radius_field, tolerance, patience, proof);
     } else {
-        prove_on_field(points, claim, radius_field, tolerance, patience, proof);
+        prove_on_field(points, claim, fields, tolerance, patience, proof);
     }
     proof.maximal =
         proof.kept && proof.covered && tolerance <= kMostTolerance * radius_field.least_radius();

@@ -6,7 +6,9 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
+#include <utility>
 
 namespace lacuna::verify {
 namespace {
@@ -59,8 +61,8 @@ void check_stretches(const Claim& claim) {
         throw BadRequest("class", "with ellipses", "classes have disks");
 }
 
-void check_polygons(const Claim& claim) {
-    for (const PolygonSet& set : claim.polygons) {
+void check_polygons(std::span<const PolygonSet> polygons) {
+    for (const PolygonSet& set : polygons) {
         const char* const option = set.forbidden ? "outside" : "inside";
         check_at_least_0("border", set.distance);
         for (const PolygonRing& ring : set.rings) {
@@ -73,7 +75,38 @@ void check_polygons(const Claim& claim) {
                                      "must be finite numbers");
         }
     }
+}
+
+void check_mask(const Mask* mask) {
+    if (mask == nullptr) return;
+    if (mask->drawn)
+        throw BadRequest("mask", "drawn from polygons", "give the polygons themselves");
+    check_pixels("mask", mask->columns, mask->rows, mask->allowed.size());
+}
+
+void check_border(const Claim& claim, double border) {
+    check_at_least_0("border", border);
+    if (border > 0 && claim.domain.wraps())
+        throw BadRequest("border", text(border), "is not for a torus, which has no edges");
+}
+
+// Where points may lie.
+void check_places(const Claim& claim) {
+    const Classes& classes = claim.classes;
+    const std::size_t count = classes.names.size();
+    for (const auto& [option, size] :
+         {std::pair{"border", classes.borders.size()}, std::pair{"mask", classes.masks.size()},
+          std::pair{"inside", claim.polygons_of_classes.size()}})
+        if (size != 0 && size != count)
+            throw BadRequest(option, "for " + std::to_string(size) + " classes",
+                             "must be for each of the " + std::to_string(count) + " classes");
+    check_mask(claim.mask);
+    for (const Mask* const mask : classes.masks) check_mask(mask);
+    check_polygons(claim.polygons);
+    for (const std::span<const PolygonSet> own : claim.polygons_of_classes) check_polygons(own);
     check_at_least_0("edge", claim.edge_tolerance);
+    check_border(claim, claim.border);
+    for (const double border : classes.borders) check_border(claim, border);
 }
 
 }  // namespace
@@ -167,14 +200,7 @@ void check_claim(const Claim& claim, std::size_t points, double tolerance) {
     check_classes(claim, points);
     // Without gaps to look for, a uniform set needs no tolerance.
     if (!is_uniform(claim) || !claim.distances_only) check_at_least_0("tolerance", tolerance);
-    if (claim.mask != nullptr && claim.mask->drawn)
-        throw BadRequest("mask", "drawn from polygons", "give the polygons themselves");
-    if (claim.mask != nullptr)
-        check_pixels("mask", claim.mask->columns, claim.mask->rows, claim.mask->allowed.size());
-    check_polygons(claim);
-    check_at_least_0("border", claim.border);
-    if (claim.border > 0 && claim.domain.wraps())
-        throw BadRequest("border", text(claim.border), "is not for a torus, which has no edges");
+    check_places(claim);
 }
 
 void check_least_radius(const Claim& claim, double least_radius) {

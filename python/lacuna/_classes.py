@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, SupportsFloat
 
 import numpy as np
 
 from . import _core
-from ._arguments import real, shown
+from ._arguments import flag, real, shown
 from ._errors import BadRequest
 
 if TYPE_CHECKING:
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     # A radius, or a radius and a weight; None and a weight, or None, if distances are given.
     Size = float | tuple[float | None, float] | None
     ClassSizes = Mapping[str, Size]
+    Border = SupportsFloat | Mapping[str, SupportsFloat]
     Bytes = npt.NDArray[np.uint8]
 
 
@@ -49,6 +51,50 @@ def classes_of(classes: ClassSizes | None, between: object) -> dict[str, Any]:
         distances = _matrix_of(between, len(radii))
     weights = [weight for _, weight in sizes]
     return {"class_names": list(classes), "distances": distances, "weights": weights}
+
+
+@dataclass(frozen=True)
+class Borders:
+    """The border of all points, those of the classes if they have their own, and whether they are
+    the radii of objects."""
+
+    of_all: float
+    of_classes: list[float] | None
+    are_radii: bool
+
+    @property
+    def each(self) -> list[float]:
+        """The border of each class, or the one of all."""
+        return [self.of_all] if self.of_classes is None else self.of_classes
+
+    @property
+    def options(self) -> dict[str, Any]:
+        own = {} if self.of_classes is None else {"borders": self.of_classes}
+        given = 0.0 if self.are_radii else self.of_all
+        radii = {"border_of_all": self.of_all, "inside_by_radius": self.are_radii}
+        return {"border": given, **radii, **own}
+
+
+def borders_of(
+    border: Border, inside_by_radius: object, kinds: dict[str, Any], radius: Any
+) -> Borders:
+    """The borders that these arguments say. ``radius`` is the least distance of two points."""
+    names = kinds.get("class_names", [])
+    if flag("inside_by_radius", inside_by_radius):
+        if isinstance(border, Mapping) or real("border", border) != 0:
+            raise BadRequest("border with inside_by_radius: both say how far to stay", "border")
+        least = 0.0 if radius is None else real("radius", radius)
+        if not names:
+            return Borders(least / 2, None, True)
+        own = kinds["distances"][:: len(names) + 1]
+        scale = least / min((one for one in kinds["distances"] if one > 0), default=1.0)
+        return Borders(0.0, [one * scale / 2 for one in own], True)
+    if not isinstance(border, Mapping):
+        return Borders(real("border", border), None, False)
+    for name in border:
+        if name not in names:
+            raise BadRequest(f"border {shown(name)}: must be the name of a class", "border")
+    return Borders(0.0, [real("border", border.get(name, 0.0)) for name in names], False)
 
 
 def _size_of(name: object, size: Any) -> tuple[float | None, float]:

@@ -56,7 +56,7 @@ def sample(
     options: Options,
     field: Field | None,
     mask: Mask | None,
-    polygons: list[PolygonSet],
+    polygons: list[list[PolygonSet]],
     keep: Floats | None,
     keep_classes: Bytes | None,
     progress: Progress | None,
@@ -83,7 +83,7 @@ def verify(
     options: Options,
     field: Field | None,
     mask: Mask | None,
-    polygons: list[PolygonSet],
+    polygons: list[list[PolygonSet]],
     keep: Floats | None,
     class_of: Bytes | None,
 ) -> dict[str, Any]: ...

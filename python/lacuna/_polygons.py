@@ -200,9 +200,22 @@ def around(places: list[_Place]) -> Extent:
     return _core.domain_around([place.on((1.0, 1.0), False) for place in places])
 
 
-def sets_on(asked: dict[str, Any], places: list[_Place]) -> list[_core.PolygonSet]:
-    """The sets of places on the domain of these options."""
-    return [place.on(asked["domain"], asked["torus"]) for place in places]
+def sets_on(
+    asked: dict[str, Any],
+    places: list[_Place],
+    borders: Iterable[float] = (0.0,),
+    are_radii: bool = False,
+) -> list[list[_core.PolygonSet]]:
+    """The sets of places on the domain of these options, for each border. It is kept from outlines,
+    and beyond the width of obstacles if borders are the radii of objects."""
+    sets = [place.on(asked["domain"], asked["torus"]) for place in places]
+    return [
+        [
+            (name, rings, forbidden, width + (border if are_radii or name != "avoid" else 0.0))
+            for name, rings, forbidden, width in sets
+        ]
+        for border in borders
+    ]
 
 
 def domain_around(*places: Places) -> Extent:
@@ -311,4 +324,4 @@ def draw_mask(
         torus=torus,
         memory_limit=memory_limit,
     )
-    return _core.draw_mask(sets_on(asked, places), asked).values.view(np.bool_)
+    return _core.draw_mask(sets_on(asked, places)[0], asked).values.view(np.bool_)

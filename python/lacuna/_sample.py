@@ -12,7 +12,7 @@ from typing import SupportsFloat, TypedDict, Unpack, overload
 from . import _core
 from ._arguments import MOST_64, importance_of, mask_of, options, points_array, raster_in, real
 from ._arguments import shape_of, shown, watched, whole
-from ._classes import classes_of, classes_of_points
+from ._classes import borders_of, classes_of, classes_of_points
 from ._errors import BadRequest, MemoryRefused
 from ._polygons import around, places_of, sets_on
 from ._sets import PointSet, set_attributes
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from ._arguments import Domain, Metric, Mode, Progress, Seed, Whole
-    from ._classes import ClassSizes
+    from ._classes import Border, ClassSizes
     from ._polygons import Obstacles, Places
 
 # The most sets in a batch, and for an iterator the most points. A batch is made by one call of the
@@ -45,7 +45,8 @@ def sample(
     outside: Places = None,
     avoid: Obstacles | None = None,
     edge: SupportsFloat | None = None,
-    border: SupportsFloat = 0,
+    border: Border = 0,
+    inside_by_radius: bool = False,
     keep: npt.ArrayLike | None = None,
     classes: ClassSizes | None = None,
     between: str | npt.ArrayLike = "sum",
@@ -113,9 +114,14 @@ def sample(
     edge : float, optional
         How far inside of these outlines points may begin, in the unit of ``domain``; points never
         lie outside. By default a sixteenth of the least radius; needed with ``n``.
-    border : float
+    border : float or dict of str to float
         Least distance of points to the domain's edges, in the unit of ``domain``, and to the
-        outlines of ``inside`` and ``outside``; not on a torus.
+        outlines of ``inside`` and ``outside``; not on a torus. With classes a dict of the border of
+        each, which is 0 for those that are left out.
+    inside_by_radius : bool
+        No object overhangs the domain's edges, the outlines of ``inside`` and ``outside``, or the
+        obstacles of ``avoid``: points keep half of ``radius`` from them, and those of a class half
+        of the distance that two of it keep. Not with ``n``, a field, ellipses, a mask or a torus.
     keep : array_like, shape (N, 2), optional
         Points that are there already. They come first, unmoved, and new points keep their distance
         from them. Each must lie where points may lie, and keep its distance from the others. They
@@ -256,7 +262,9 @@ def sample(
     allowed = None if mask is None else mask_of("mask", mask)
     kept = None if keep is None else points_array("keep", keep)
     kinds = classes_of(classes, between)
-    places = places_of(inside, outside, avoid, real("border", border))
+    least = min((one for one in kinds.get("distances", ()) if one > 0), default=radius)
+    borders = borders_of(border, inside_by_radius, kinds, least)
+    places = places_of(inside, outside, avoid)
     if domain is None and on_pixels is not None:
         domain = raster_in("on_pixels", on_pixels)
     if domain is None:
@@ -264,25 +272,27 @@ def sample(
     asked = options(
         radius=radius, n=n, scale=scale, metric=metric, domain=domain, on_pixels=on_pixels,
         torus=torus, mode=mode,
-        edge=edge, border=border, seed=seed, progressive=progressive, limit=limit, relax=relax,
+        edge=edge, seed=seed, progressive=progressive, limit=limit, relax=relax,
         gaussian=gaussian, gaussian_distance=gaussian_distance, lines_per_radius=lines_per_radius,
         snap=snap, uniform_x=uniform_x, round_size=round_size, backend=backend, device=device,
         threads=threads, memory_limit=memory_limit,
     )  # fmt: skip
-    asked.update(kinds)
+    asked.update(kinds | borders.options)
     arrays = {
         "field": field, "ellipses": ellipses, "mask": mask, "inside": inside, "outside": outside,
         "avoid": avoid, "keep": keep, "class": classes,
     }  # fmt: skip
     asked["given"] = [name for name, array in arrays.items() if array is not None]
-    sets = sets_on(asked, places)
+    sets = sets_on(asked, places, borders.each, borders.are_radii)
     own = keep._names_of_points() if isinstance(keep, PointSet) and kinds else None
     of_kept = classes_of_points("keep_classes", keep_classes, own, kinds, kept)
     with watched(progress) as told:
         made = _core.sample(asked, importance, allowed, sets, kept, of_kept, told)
     # The command names the files of these.
-    files = {"keep": keep, "field": field, "ellipses": ellipses, "mask": allowed or sets or None}
+    files = {"keep": keep, "field": field, "ellipses": ellipses, "mask": allowed or places or None}
     said: dict[str, Any] = {name: "an array" for name, one in files.items() if one is not None}
+    if borders.are_radii:
+        said["inside_by_radius"] = made["_promised"]["inside_by_radius"] = True
     if kept is not None:
         said["kept"] = len(kept)
     if made["relaxed"] is not None:

@@ -434,8 +434,9 @@ def set_attributes(made: dict[str, Any], **more: object) -> dict[str, Any]:
         made["distances"] = made["distances"].reshape(count, count)
         request["class_names"] = list(made["classes"])
         request |= {"distances": made["distances"].tolist(), "weights": promised["weights"]}
-    if promised["border"]:
-        request["border"] = promised["border"]
+    for name in ("border", "borders"):
+        if promised[name]:
+            request[name] = promised[name]
     if made["relaxed"] is not None:
         moves = {"iterations": more["relax"], "gaussian": more.get("gaussian", 0)}
         place = {name: made[name] for name in ("points", "domain", "torus", "seconds")}

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Iterable, Mapping, SupportsFloat
 import numpy as np
 
 from . import _core, _plots
-from ._arguments import flag, importance_of, mask_of, options, points_array, real, shape_of, shown
-from ._classes import classes_of, classes_of_points
+from ._arguments import flag, importance_of, mask_of, options, points_array, shape_of, shown
+from ._classes import Borders, borders_of, classes_of, classes_of_points
 from ._errors import BadRequest
 from ._polygons import around, places_of, sets_on
 from ._sets import HasPoints, PointSet, domain_of
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ._arguments import Domain, Extent
-    from ._classes import ClassSizes
+    from ._classes import Border, ClassSizes
     from ._polygons import Obstacles, Places
 
     Floats = npt.NDArray[np.float64]
@@ -187,7 +187,8 @@ def verify(
     outside: Places = None,
     avoid: Obstacles | None = None,
     edge: SupportsFloat = 0,
-    border: SupportsFloat | None = None,
+    border: Border | None = None,
+    inside_by_radius: bool | None = None,
     keep: npt.ArrayLike | None = None,
     classes: ClassSizes | None = None,
     between: str | npt.ArrayLike = "sum",
@@ -225,9 +226,9 @@ def verify(
     edge : float
         Spots that are inside of the polygons by up to ``edge`` need not be covered. No point may
         lie outside.
-    border : float
-        No point may be closer to the domain's edges, nor to the outlines of ``inside`` and
-        ``outside``. By default a PointSet's own, else 0.
+    border, inside_by_radius
+        As of ``sample``: no point may be closer to the domain's edges, nor to the outlines of
+        ``inside`` and ``outside``. By default a PointSet's own.
     keep : array_like, shape (N, 2), optional
         The first of the points must be equal to these, to the last bit. By default those that a
         PointSet has kept.
@@ -296,8 +297,21 @@ def verify(
         size = {"radius" if importance is None else "scale": least}
     else:
         size = _size(own, radius, scale, field is not None, ellipses is not None)
-    border = own.get("border", 0) if border is None else border
-    places = places_of(inside, outside, avoid, real("border", border))
+    if border is None and inside_by_radius is None:
+        of_classes = own.get("borders") if kinds else None
+        borders = Borders(
+            own.get("border", 0.0), of_classes or None, own.get("inside_by_radius", False)
+        )
+    else:
+        borders = borders_of(
+            0 if border is None else border, bool(inside_by_radius), kinds, size.get("radius")
+        )
+    if borders.are_radii and (importance is not None or allowed is not None):
+        raise BadRequest(
+            "inside_by_radius with a field, ellipses or a mask: is for disks and outlines",
+            "inside_by_radius",
+        )
+    places = places_of(inside, outside, avoid)
     if not flag("distances_only", distances_only):
         for name, is_given in (
             ("ellipses" if own.get("has_ellipses") else "field", importance is not None),
@@ -312,18 +326,18 @@ def verify(
         **domain_of(points, domain, torus, shape),
         **size,
         edge=edge,
-        border=border,
         tolerance=tolerance,
         distances_only=distances_only,
     )
-    asked.update(kinds)
+    asked.update(kinds | borders.options)
     kept = array[: own["kept"]] if own.get("kept") and keep is None else None
     if keep is not None:
         kept = points_array("keep", keep)
     if kinds and class_of is None and of_points is None:
         raise BadRequest("class_of missing: give the class of each point", "class_of")
     numbers = classes_of_points("class_of", class_of, of_points, kinds, array)
-    found = _core.verify(array, asked, importance, allowed, sets_on(asked, places), kept, numbers)
+    sets = sets_on(asked, places, borders.each, borders.are_radii)
+    found = _core.verify(array, asked, importance, allowed, sets, kept, numbers)
     shown_points = array.view()
     shown_points.flags.writeable = False
     return Verdict(

@@ -55,7 +55,7 @@ Claim asked_claim(const nb::dict& given) {
     read_classes(given, claim.classes);
     read(given, "radius", claim.radius);
     read(given, "scale", claim.scale);
-    read(given, "border", claim.border);
+    read(given, "border_of_all", claim.border);
     read(given, "edge", claim.edge_tolerance);
     read(given, "tolerance", claim.tolerance);
     read(given, "distances_only", claim.distances_only);
@@ -106,7 +106,7 @@ nb::dict verify_points(const PointArray& array, const nb::dict& given, const Fie
                        const Mask* mask, const nb::list& polygons,
                        const std::optional<PointArray>& keep,
                        const std::optional<ClassArray>& class_of) {
-    PolygonSets sets(polygons);
+    std::vector<PolygonSets> sets = polygons_of_classes(polygons);
     Claim claim = asked_claim(given);
     std::vector<Point> kept;
     std::vector<std::uint8_t> of_points;
@@ -115,7 +115,9 @@ nb::dict verify_points(const PointArray& array, const nb::dict& given, const Fie
         if (class_of) of_points = classes_of(*class_of);
         claim.field = field;
         claim.mask = mask;
-        claim.polygons = sets.copy();
+        claim.polygons = sets.front().copy();
+        for (PolygonSets& one : sets)
+            if (sets.size() > 1) claim.polygons_of_classes.push_back(one.copy());
         claim.keep = kept;
         claim.class_of_points = of_points;
         return prove(points_of(array), claim, [&] { return !stop; });

@@ -58,4 +58,11 @@ private:
     std::vector<PolygonSet> sets_;
 };
 
+// The sets of all classes, or those of each.
+inline std::vector<PolygonSets> polygons_of_classes(const nb::list& lists) {
+    std::vector<PolygonSets> all;
+    for (const nb::handle one : lists) all.emplace_back(nb::cast<nb::list>(one));
+    return all;
+}
+
 }  // namespace lacuna::python

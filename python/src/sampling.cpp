@@ -66,10 +66,11 @@ nb::dict promises_of(const Claim& claim) {
     promised["radius"] = claim.radius;
     promised["scale"] = claim.scale;
     promised["border"] = claim.border;
+    promised["borders"] = claim.classes.borders;
     promised["distances_only"] = claim.distances_only;
     promised["weights"] = claim.classes.weights;
     promised["kept"] = claim.keep.size();
-    promised["has_mask"] = claim.mask != nullptr;
+    promised["has_mask"] = claim.mask != nullptr || !claim.classes.masks.empty();
     promised["has_field"] = claim.field != nullptr;
     promised["has_ellipses"] = claim.field != nullptr && !claim.field->stretches.empty();
     return promised;
@@ -137,6 +138,7 @@ void read_classes(const nb::dict& given, Classes& classes) {
     read(given, "class_names", classes.names);
     read(given, "distances", classes.distances);
     read(given, "weights", classes.weights);
+    read(given, "borders", classes.borders);
 }
 
 namespace {
@@ -182,15 +184,20 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* ma
     Request request = request_of(given);
     request.field = field;
     request.mask = mask;
+    read(given, "border_of_all", request.border);
     const recipes::Moves moves = moves_of(given);
     settle(given, moves, request);
-    PolygonSets sets(polygons);
-    Mask places;
-    if (!sets.are_none()) {
+    std::vector<PolygonSets> sets = polygons_of_classes(polygons);
+    std::vector<Mask> places(sets.size());
+    if (!sets.front().are_none()) {
         const double edge = edge_of(given, request);
         const Unlocked unlocked;
-        places = draw_places(sets.copy(), request.domain, edge, request.place.memory_limit_bytes);
-        request.mask = &places;
+        for (std::size_t i = 0; i < sets.size(); ++i)
+            places[i] =
+                draw_places(sets[i].copy(), request.domain, edge, request.place.memory_limit_bytes);
+        request.mask = &places.front();
+        for (const Mask& one : places)
+            if (places.size() > 1) request.classes.masks.push_back(&one);
     }
     Watch watch(std::move(progress));
     recipes::Made set;

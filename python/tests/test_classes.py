@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -146,3 +147,70 @@ def test_points_of_classes_need_a_class_to_be_verified() -> None:
         lacuna.verify([(0.5, 0.5)], classes=KINDS)
     with pytest.raises(TypeError, match="classes must be a dict of names and radii"):
         lacuna.sample(classes=["trees"])  # type: ignore[arg-type]
+
+
+PARCEL = [[(0.1, 0.1), (0.9, 0.2), (0.6, 0.9)]]
+
+
+def test_borders_of_classes_are_those_of_the_command(tmp_path: Path) -> None:
+    path = tmp_path / "parcel.txt"
+    path.write_text("0.1 0.1\n0.9 0.2\n0.6 0.9\n", encoding="ascii")
+    kinds: Any = {"classes": {"trees": 0.06, "grass": 0.01}, "inside": PARCEL, "seed": 6}
+    command = ["build/lacuna", "sample", "--class", "trees:0.06", "--class", "grass:0.01"]
+    command += ["--inside", str(path), "--seed", "6", "--quiet", "-o", str(tmp_path / "its.npy")]
+    for options, where in (
+        (["--inside-by-radius"], {"inside_by_radius": True}),
+        (["--border", "trees:0.1"], {"border": {"trees": 0.1}}),
+        (["--border", "trees:0.06", "--border", "0.01"], {"border": {"trees": 0.06, "grass": 0.01}}),
+    ):
+        made = lacuna.sample(**kinds, **where)
+        made.save(tmp_path / "own.npy")
+        subprocess.run([*command, *options], check=True)
+        assert (tmp_path / "own.npy").read_bytes() == (tmp_path / "its.npy").read_bytes()
+        assert lacuna.verify(made, inside=PARCEL, edge=0.02 / 16).maximal
+        again = lacuna.verify(
+            made.points, classes=kinds["classes"], class_of=made.class_of, inside=PARCEL,
+            edge=0.02 / 16, domain=made.domain, **where,
+        )  # fmt: skip
+        assert again.maximal
+
+
+def test_no_object_overhangs_and_one_that_does_is_refuted() -> None:
+    radii = {"trees": 0.06, "grass": 0.01}
+    made = lacuna.sample(classes=radii, inside_by_radius=True, avoid=[([[(0.5, 0.5)]], 0.1)], seed=1)
+    own = np.array(list(radii.values()))[made.class_of]
+    assert (np.minimum(made.points, 1 - made.points).min(axis=1) >= own).all()
+    assert (np.hypot(*(made.points - 0.5).T) >= 0.1 + own).all()
+    assert made.report()["request"]["borders"] == [0.06, 0.01]
+    avoid = [([[(0.5, 0.5)]], 0.1)]
+    assert lacuna.verify(made, avoid=avoid, edge=0.02 / 16).maximal
+    points = made.points.copy()
+    nearest = points[:, 0].argmin()
+    points[nearest, 0] = own[nearest] - 1e-3
+    found = lacuna.verify(
+        points, classes=radii, class_of=made.class_of, inside_by_radius=True, avoid=avoid
+    )
+    assert found.forbidden == nearest and found.forbidden_by == "border"
+
+
+def test_without_classes_an_object_is_as_wide_as_the_distance_of_two() -> None:
+    made = lacuna.sample(0.1, inside_by_radius=True, seed=1)
+    assert (made.points == lacuna.sample(0.1, border=0.05, seed=1).points).all()
+    assert lacuna.verify(made).maximal
+    assert lacuna.verify(made.points, 0.1, inside_by_radius=True).maximal
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"border": {"rocks": 1}}, "border 'rocks': must be the name of a class"),
+        ({"border": 0.1, "inside_by_radius": True}, "border with inside_by_radius: both say"),
+        ({"torus": True, "inside_by_radius": True}, "inside_by_radius with torus: a torus has no"),
+        ({"mask": [[1]], "inside_by_radius": True}, "inside_by_radius with mask: its pixels"),
+        ({"n": 9, "inside_by_radius": True}, "inside_by_radius with n: the radius must be known"),
+        ({"border": {"trees": 0.6}}, "border trees:0.6: must be at least 0 and under half"),
+    ],
+)
+def test_what_is_wrong_with_a_border_is_named(arguments: dict[str, Any], message: str) -> None:
+    with pytest.raises(lacuna.BadRequest, match=message):
+        lacuna.sample(classes=KINDS, **arguments)

@@ -24,6 +24,7 @@ struct FieldRequest {
     std::shared_ptr<const Mask> mask;
     std::shared_ptr<const std::vector<Point>> keep;
     std::shared_ptr<const std::vector<std::uint8_t>> keep_classes;
+    std::vector<std::shared_ptr<const Mask>> masks;  // of classes
 };
 
 // Its scale is such that `count` samples are expected.
@@ -66,6 +67,15 @@ inline FieldRequest with_classes(FieldRequest made, std::vector<double> distance
     made.request.classes.weights = std::move(weights);
     made.request.radius.reset();
     made.request.scale.reset();
+    return made;
+}
+
+// The same with places of their own: the border of each class, and the mask of the last one.
+inline FieldRequest with_places(FieldRequest made, std::vector<double> borders, Mask mask) {
+    made.masks.push_back(std::make_shared<const Mask>(std::move(mask)));
+    made.request.classes.masks.resize(borders.size());
+    made.request.classes.masks.back() = made.masks.back().get();
+    made.request.classes.borders = std::move(borders);
     return made;
 }
 
@@ -286,6 +296,20 @@ inline std::vector<FieldRequest> class_requests() {
                                                     sizes_field(12, 9, 3), 1, torus, 2, 1),
                                distances_by_sum(three), {1, 1, 1}),
                   noise_mask(9, 11, 2)),
+        with_places(with_classes(uniform("borders of their own", 1, box, 2, 1),
+                                 distances_by_sum(three), {1, 1, 1}),
+                    {0.2, 0.08, 0}, noise_mask(90, 40, 3)),
+        with_places(
+            with_mask(with_classes(radius_field_request("places of their own on a field and a mask",
+                                                        noise_field(9, 7, 4), 1, box),
+                                   distances_by_union(three), {1, 1, 3}),
+                      noise_mask(40, 11, 2)),
+            {0.3, 0, 0.01}, chess_mask(13, 21)),
+        with_keep_in_classes(
+            with_places(with_classes(uniform("places of their own and kept points", 1, torus),
+                                     distances_by_sum(two), {0, 1}),
+                        {0, 0}, islands_mask(60)),
+            {{0.5, 0.5}, {0.1, 0.99}}, {0, 0}),
     };
 }
 

@@ -46,7 +46,7 @@ public:
         Gap largest;
         const auto look_at = [&](Point spot, std::uint8_t kind) {
             spot = wrapped(spot);
-            if (!is_open(spot)) return;
+            if (!is_open(spot, kind)) return;
             const double found = room(spot, kind);
             if (found > largest.room) largest = {spot, kind, found};
         };
@@ -94,7 +94,7 @@ public:
         for (int i = 0; i < 3000; ++i, reach *= 0.995) {
             const Point spot = wrapped({barest.x + verify::any_in(random, -reach, reach),
                                         barest.y + verify::any_in(random, -reach, reach)});
-            if (!is_open(spot)) continue;
+            if (!is_open(spot, kind)) continue;
             const double found = room(spot, kind);
             if (!(found > most)) continue;
             most = found;
@@ -168,7 +168,7 @@ private:
         return signs;
     }
     double sign_at(Point spot, std::uint8_t kind, std::size_t k) const {
-        if (k == sites_.size()) return is_open(spot) ? 1 : -1;
+        if (k == sites_.size()) return is_open(spot, kind) ? 1 : -1;
         const std::optional<Shape> own = domain_.contains(spot) ? shape_at(spot) : std::nullopt;
         return own ? over(sites_[k], spot, *own, kind) : 1;
     }

@@ -103,9 +103,9 @@ inline void demand_refuted_without(const Made& made, Set set, std::size_t gone,
         ++counts.as_good;
         return;
     }
-    if (!set.points.empty() && judge.is_open(proof.largest_gap))
-        demand(judge.room(proof.largest_gap, static_cast<std::uint8_t>(proof.largest_gap_class)) >
-                   judge.tolerance() * (1 - 1e-6),
+    const auto of_gap = static_cast<std::uint8_t>(proof.largest_gap_class);
+    if (!set.points.empty() && judge.is_open(proof.largest_gap, of_gap))
+        demand(judge.room(proof.largest_gap, of_gap) > judge.tolerance() * (1 - 1e-6),
                without + " the gap at " + told(proof.largest_gap) + " is none");
     ++counts.refuted;
 }
@@ -116,7 +116,7 @@ inline void demand_refuted_too_close(const Made& made, Set set, std::size_t move
     const Judge before(made, set.points, set.classes, set.size);
     set.points[moved] = before.too_close_to(other, kind, random);
     const Judge judge(made, set.points, set.classes, set.size);
-    if (!judge.is_open(set.points[moved]) || judge.fault().empty()) return;
+    if (!judge.is_open(set.points[moved], kind) || judge.fault().empty()) return;
     const Proof proof = prove(set.points, claim_of(made, set));
     demand(!proof.kept, "with " + told(set.points[moved]) + " too close to a point it is proven");
     ++counts.refuted;

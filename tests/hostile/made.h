@@ -90,8 +90,10 @@ inline std::string describe(const Made& made) {
         out << ", field of " << made.field.columns << "x" << made.field.rows;
     if (request.mask != nullptr) out << ", mask of " << made.mask.columns << "x" << made.mask.rows;
     if (!request.classes.names.empty()) out << ", " << request.classes.names.size() << " classes";
-    out << ", border " << request.border << ", " << made.keep.size() << " kept, limit "
-        << request.limit.value_or(0) << ", round size " << request.paper2011.round_size << ", m "
+    out << ", border " << request.border;
+    for (const double border : request.classes.borders) out << ":" << border;
+    out << ", " << made.keep.size() << " kept, limit " << request.limit.value_or(0)
+        << ", round size " << request.paper2011.round_size << ", m "
         << request.paper2011.lines_per_radius.value_or(0) << ", seed " << request.seed
         << ", threads " << request.place.threads;
     return out.str();

@@ -70,9 +70,14 @@ private:
             request.mask = &made.mask;
         }
         if (has_polygons() && !choose_polygons(made)) return false;
-        if (is(kBorder, "yes"))
-            request.border = request.domain.shorter_side() / 2 *
-                             std::array{1e-9, choose_.in(0, 0.5), 1 - 1e-3}[choose_.below(3)];
+        const auto border = [&] {
+            return request.domain.shorter_side() / 2 *
+                   std::array{1e-9, choose_.in(0, 0.5), 1 - 1e-3}[choose_.below(3)];
+        };
+        if (is(kBorder, "yes")) request.border = border();
+        if (is(kBorder, "yes") && choose_.one_in(2))
+            for (std::size_t i = 0; i < request.classes.names.size(); ++i)
+                request.classes.borders.push_back(choose_.one_in(4) ? 0 : border());
         if (is(kMode, "pixels")) {
             request.on_pixels = {1 + choose_.below(300), 1 + choose_.below(300)};
             if (!is_refused && !has_spare_pixels(request)) return false;

@@ -48,12 +48,13 @@ public:
                (count == 0 ? 1 : most / least_distance_);
     }
 
-    // Whether a spot is open, and no border of pixels or edge of the allowed part is near.
-    bool is_open(Point spot) const {
+    // Whether a spot is open to a class, and no border of pixels or edge of the allowed part is
+    // near.
+    bool is_open(Point spot, std::uint8_t kind) const {
         const double near = request_.mode == Mode::cells ? tolerance() : 4 * blur();
         const double to_edges = std::min(std::min(spot.x, domain_.width - spot.x),
                                          std::min(spot.y, domain_.height - spot.y));
-        if (to_edges < request_.border + (request_.border > 0 ? near : 0)) return false;
+        if (to_edges < border(kind) + (border(kind) > 0 ? near : 0)) return false;
         if (!shape_at(spot) || (request_.mask != nullptr && !is_in_mask(spot))) return false;
         for (const double dx : {-near, near})
             for (const double dy : {-near, near}) {
@@ -106,6 +107,10 @@ protected:
         std::uint8_t kind;
     };
 
+    double border(std::uint8_t kind) const {
+        const std::vector<double>& own = request_.classes.borders;
+        return own.empty() ? request_.border : own[kind];
+    }
     std::size_t kinds() const { return std::max<std::size_t>(1, request_.classes.names.size()); }
     double factor(std::uint8_t a, std::uint8_t b) const {
         return request_.classes.names.empty()
@@ -163,7 +168,7 @@ protected:
     // A kept point may lie on the upper edges of a box, too.
     bool is_allowed(const Site& site, bool is_kept) const {
         const Point at = site.at;
-        const double edge = request_.border - (request_.border > 0 ? blur() : 0);
+        const double edge = border(site.kind) - (border(site.kind) > 0 ? blur() : 0);
         const bool is_below = at.x < domain_.width && at.y < domain_.height;
         if (!(domain_.contains(at) && (is_kept || is_below) && at.x >= edge && at.y >= edge &&
               domain_.width - at.x >= edge && domain_.height - at.y >= edge))

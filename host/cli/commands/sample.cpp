@@ -139,8 +139,8 @@ Targets targets_of(SampleCommand& all) {
                     {"mode", &all.given.mode},
                     {"relax", &all.given.relax},
                     {"ellipse-columns", &all.ellipse_columns}};
+    targets.merge(targets_of(all.domain));  // before the request, which knows no border of a class
     targets.merge(targets_of(all.common));
-    targets.merge(targets_of(all.domain));
     targets.merge(targets_of(all.drawing));
     targets.merge(recipes::targets_of(all.moves));
     return targets;

@@ -98,11 +98,9 @@ Request request_of(const CommandLine& line, const VerifyCommand& options, const 
                        ": made on pixels, of which none has two points: give --distances-only");
     Request request = given.request;
     ask_for_files(line, options.domain, options.distances_only, file, name);
-    claim.own_field = use_values(line, file, request, claim.options.edge);
+    claim.own_field = use_values(line, file, request, claim.options);
     if (!line.has("domain") && file.domain) take_shape(*file.domain, request);
     if (file.boundary == Boundary::torus) request.domain.boundary = Boundary::torus;
-    if (request.classes.names.empty() && !file.distances.empty())
-        request.classes = {file.classes.names, file.distances, file.weights};
     if (request.field != nullptr && !request.scale && request.classes.names.empty())
         throw BadRequest("scale", "missing",
                          "give the radius that points should have where the field is black");
@@ -139,7 +137,8 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& 
     SetClaim claim;
     claim.points = points;
     claim.options = options.domain;
-    const Request request = request_of(line, options, given, file, name, claim);
+    Request request = request_of(line, options, given, file, name, claim);
+    take_borders(claim.options, request);
     claim.name = name;
     claim.meant_to_be_maximal = file.maximal.value_or(true);
     claim.radii = radii_of(request);
@@ -155,10 +154,10 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& 
     if (!claim.classes.names.empty()) claim.own_classes = classes_in(file, claim.classes, name);
     claim.rings = rings_of(request, given.files);
     claim.kinds = given.files.kinds;
-    for (std::size_t i = 0; i < options.domain.inside.size() + options.domain.outside.size(); ++i)
-        claim.kinds[i].distance = request.border;
+    claim.clearances = clearances_of(claim.options, request, given.files);
     if (!claim.rings.empty()) {
-        const std::vector<PolygonSet> sets = sets_of(claim.kinds, claim.rings);
+        const std::vector<PolygonSet> sets =
+            sets_of(claim.clearances.front(), claim.kinds, claim.rings);
         check_places(sets, request.domain);
         claim.edge_tolerance = given.files.edge =
             edge_of(claim.options, request, sets, given.files);
@@ -232,8 +231,11 @@ void run(const CommandLine& line, const VerifyCommand& options) {
     bool all_hold = true;
     for (SetClaim& claim : claims) {
         // Now that `claims` does not move its elements any more.
-        claim.sets = sets_of(claim.kinds, claim.rings);
-        claim.polygons = claim.sets;
+        for (const Clearances& clearances : claim.clearances)
+            claim.sets.push_back(sets_of(clearances, claim.kinds, claim.rings));
+        claim.polygons = claim.sets.front();
+        if (claim.sets.size() > 1)
+            claim.polygons_of_classes.assign(claim.sets.begin(), claim.sets.end());
         claim.class_of_points = claim.own_classes;
         claim.proof = prove(claim.points, claim);
         if (claim.holds()) claim.fault = fault_in_levels(claim);
@@ -248,8 +250,8 @@ Targets targets_of(VerifyCommand& all) {
     Targets targets{{"FILE", &all.files},          {"torus", &all.torus},
                     {"tolerance", &all.tolerance}, {"distances-only", &all.distances_only},
                     {"json", &all.json},           {"quiet", &all.quiet}};
+    targets.merge(targets_of(all.domain));  // before the request, which knows no border of a class
     targets.merge(recipes::targets_of(all.request));
-    targets.merge(targets_of(all.domain));
     return targets;
 }
 

@@ -128,6 +128,43 @@ Classes read_classes(const ClassOptions& options) {
     return classes;
 }
 
+void take_borders(const DomainOptions& options, Request& request) {
+    Classes& classes = request.classes;
+    const std::size_t count = classes.names.size();
+    if (options.inside_by_radius) {
+        classes.borders.clear();
+        // An object's diameter is the distance that two of its kind keep.
+        const double radius = request.radius.value_or(0) / 2;
+        if (classes.names.empty()) request.border = radius;
+        for (std::size_t i = 0; i < count; ++i)
+            classes.borders.push_back(classes.distances[i * (count + 1)] /
+                                      least_distance_of(classes) * radius);
+        return;
+    }
+    std::optional<double> of_all;
+    std::vector<std::optional<double>> own(count);
+    for (const std::string& text : options.borders) {
+        const std::size_t colon = text.find(':');
+        const auto found = std::find(classes.names.begin(), classes.names.end(),
+                                     text.substr(0, std::min(colon, text.size())));
+        if (colon != std::string::npos && found == classes.names.end())
+            throw BadRequest("border", shown(text),
+                             "must be D, or NAME:D with the name of a class");
+        std::optional<double>& border =
+            colon == std::string::npos
+                ? of_all
+                : own[static_cast<std::size_t>(found - classes.names.begin())];
+        if (border) throw BadRequest("border", shown(text), "is given twice");
+        recipes::read("border", colon == std::string::npos ? text : text.substr(colon + 1), border);
+    }
+    if (of_all) request.border = *of_all;
+    const auto has_own = [](const std::optional<double>& one) { return one.has_value(); };
+    if (std::none_of(own.begin(), own.end(), has_own)) return;
+    classes.borders.clear();
+    for (const std::optional<double>& one : own)
+        classes.borders.push_back(one.value_or(request.border));
+}
+
 std::vector<std::uint8_t> classes_in(const files::SetsOfFile& file, const Classes& classes,
                                      const std::string& name) {
     if (file.classes.names.empty() && !file.sets.front().empty())
@@ -186,6 +223,7 @@ Json json_of(const Classes& classes) {
     json["class_names"] = classes.names;
     json["distances"] = rows;
     json["weights"] = classes.weights;
+    if (!classes.borders.empty()) json["borders"] = classes.borders;
     return json;
 }
 

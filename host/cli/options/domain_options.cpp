@@ -134,6 +134,8 @@ Targets targets_of(DomainOptions& options) {
                     {"outside", &options.outside},
                     {"avoid", &options.avoid},
                     {"edge", &options.edge},
+                    {"border", &options.borders},
+                    {"inside-by-radius", &options.inside_by_radius},
                     {"keep", &options.keep}};
     targets.merge(targets_of(options.field));
     return targets;
@@ -168,10 +170,7 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
             const bool forbidden = paths == &options.outside;
             const char* const option = forbidden ? "outside" : "inside";
             const Polygons& polygons = files.polygons.emplace_back(read_polygons_of(option, path));
-            files.kinds.push_back({.forbidden = forbidden,
-                                   .distance = request.border,
-                                   .option = option,
-                                   .name = shown(path)});
+            files.kinds.push_back({.forbidden = forbidden, .option = option, .name = shown(path)});
             if (polygons.page) give_shape(*polygons.page);
         }
     for (const std::string& text : options.avoid)
@@ -218,10 +217,27 @@ std::vector<std::vector<PolygonRing>> rings_of(const Request& request, const Dom
     return rings;
 }
 
-std::vector<PolygonSet> sets_of(std::span<const PolygonSet> kinds,
+std::vector<Clearances> clearances_of(const DomainOptions& options, const Request& request,
+                                      const DomainFiles& files) {
+    std::vector<Clearances> all(std::max<std::size_t>(request.classes.borders.size(), 1));
+    for (std::size_t kind = 0; kind < files.kinds.size(); ++kind) {
+        const double width = files.kinds[kind].distance;  // 0: it is no obstacle
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const bool has_border = width == 0 || options.inside_by_radius;
+            all[i].emplace_back(kind, width + (has_border ? border_of(request, i) : 0));
+        }
+    }
+    return all;
+}
+
+std::vector<PolygonSet> sets_of(const Clearances& clearances, std::span<const PolygonSet> kinds,
                                 std::span<const std::vector<PolygonRing>> rings) {
-    std::vector<PolygonSet> sets(kinds.begin(), kinds.end());
-    for (std::size_t i = 0; i < sets.size(); ++i) sets[i].rings = rings[i];
+    std::vector<PolygonSet> sets;
+    for (const auto& [kind, distance] : clearances) {
+        PolygonSet& set = sets.emplace_back(kinds[kind]);
+        set.rings = rings[kind];
+        set.distance = distance;
+    }
     return sets;
 }
 
@@ -237,12 +253,25 @@ double edge_of(const DomainOptions& options, const Request& request,
 void read_domain_files(const CommandLine& line, const DomainOptions& options, Request& request,
                        DomainFiles& files) {
     read_given_files(line, options, request, files);
+    take_borders(options, request);
     if (files.polygons.empty()) return;
     const std::vector<std::vector<PolygonRing>> rings = rings_of(request, files);
-    const std::vector<PolygonSet> sets = sets_of(files.kinds, rings);
-    files.edge = edge_of(options, request, sets, files);
-    files.mask = draw_places(sets, request.domain, files.edge, request.place.memory_limit_bytes);
-    request.mask = &*files.mask;
+    const std::vector<Clearances> all = clearances_of(options, request, files);
+    const auto draw = [&](const Clearances& clearances) {
+        return draw_places(sets_of(clearances, files.kinds, rings), request.domain, files.edge,
+                           request.place.memory_limit_bytes);
+    };
+    files.edge = edge_of(options, request, sets_of(all.front(), files.kinds, rings), files);
+    if (request.classes.borders.empty()) {
+        files.mask = draw(all.front());
+        request.mask = &*files.mask;
+        return;
+    }
+    for (const Clearances& own : all) {
+        const auto [drawn, is_new] = files.masks_of_classes.try_emplace(own);
+        if (is_new) drawn->second = draw(own);
+        request.classes.masks.push_back(&drawn->second);
+    }
 }
 
 Json json_of(const DomainOptions& options, const Request& request, const DomainFiles& files) {
@@ -263,6 +292,7 @@ Json json_of(const DomainOptions& options, const Request& request, const DomainF
     if (!files.polygons.empty()) json["edge"] = files.edge;
     json.update(json_of(request.classes));
     if (request.border != 0) json["border"] = request.border;
+    if (options.inside_by_radius) json["inside_by_radius"] = true;
     if (!options.keep.empty()) json.update({{"keep", options.keep}, {"kept", files.keep.size()}});
     return json;
 }

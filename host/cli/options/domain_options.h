@@ -7,11 +7,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/options/bind.h"
@@ -93,16 +95,23 @@ struct DomainOptions {
     std::optional<double> edge;
     std::string keep;
     ClassOptions classes;
+    std::vector<std::string> borders;  // D or NAME:D
+    bool inside_by_radius = false;
 };
+
+// Which polygons and obstacles points stay away from, by their numbers in DomainFiles, and how far.
+using Clearances = std::vector<std::pair<std::size_t, double>>;
 
 // The contents of the files. The request points into it.
 struct DomainFiles {
     std::optional<Field> field;  // read from --field, or of the ellipses
     std::optional<Mask> mask;    // read from --mask, or drawn from the polygons
     // The polygons of --inside, then of --outside, then the lines of --avoid. `kinds` has what else
-    // a PolygonSet says of each: whether it is forbidden, and the distance to keep.
+    // a PolygonSet says of each: whether it is forbidden, and the width of obstacles.
     std::vector<Polygons> polygons;
     std::vector<PolygonSet> kinds;
+    std::map<Clearances, Mask>
+        masks_of_classes;  // drawn, where classes keep distances of their own
     std::vector<Point> keep;
     std::vector<std::uint8_t> keep_classes;
     double edge = 0;  // how far the polygons' outline may be off
@@ -119,10 +128,17 @@ void take_shape(const Domain& shape, Request& request);
 void read_given_files(const CommandLine& line, const DomainOptions& options, Request& request,
                       DomainFiles& files);
 
+// Gives the request and its classes the borders of --border and --inside-by-radius.
+void take_borders(const DomainOptions& options, Request& request);
+
+// The clearances of each class if classes keep distances of their own; otherwise those of all.
+std::vector<Clearances> clearances_of(const DomainOptions& options, const Request& request,
+                                      const DomainFiles& files);
+
 // The rings of each file of polygons on the request's domain, and the sets that they are. The rings
 // must outlive the sets.
 std::vector<std::vector<PolygonRing>> rings_of(const Request& request, const DomainFiles& files);
-std::vector<PolygonSet> sets_of(std::span<const PolygonSet> kinds,
+std::vector<PolygonSet> sets_of(const Clearances& clearances, std::span<const PolygonSet> kinds,
                                 std::span<const std::vector<PolygonRing>> rings);
 // How far the polygons' outline may be off: --edge, or a sixteenth of the least radius, which for a
 // count is estimated.
@@ -151,10 +167,11 @@ std::vector<double> dots_of(const Request& request, std::span<const Point> point
 void ask_for_files(const CommandLine& line, const DomainOptions& options, bool distances_only,
                    const files::SetsOfFile& file, const std::string& name);
 
-// Fills in the scale, the border and how far edges may be off, where the command was not given
-// them. If the set has the same ellipse everywhere, returns its field, to which `request` points.
+// Fills in the scale, the classes, the borders and how far edges may be off, where the command was
+// not given them. If the set has the same ellipse everywhere, returns its field, to which `request`
+// points.
 std::shared_ptr<const Field> use_values(const CommandLine& line, const files::SetsOfFile& file,
-                                        Request& request, std::optional<double>& edge);
+                                        Request& request, DomainOptions& options);
 
 // How many points of the set were kept: it begins with them.
 std::size_t kept_in(const files::SetsOfFile& file);

@@ -73,7 +73,7 @@ void ask_for_files(const CommandLine& line, const DomainOptions& options, bool d
 }
 
 std::shared_ptr<const Field> use_values(const CommandLine& line, const files::SetsOfFile& file,
-                                        Request& request, std::optional<double>& edge) {
+                                        Request& request, DomainOptions& options) {
     std::shared_ptr<const Field> field;
     const auto stretch = file.options.find("stretch");
     if (request.field == nullptr && stretch != file.options.end()) {
@@ -87,8 +87,16 @@ std::shared_ptr<const Field> use_values(const CommandLine& line, const files::Se
         const std::optional<double> scale = file.scale ? file.scale : number_of(file, "scale");
         if (scale) request.scale = scale;
     }
-    if (!line.has("border")) request.border = number_of(file, "border").value_or(0);
-    if (!edge) edge = number_of(file, "edge");
+    Classes& classes = request.classes;
+    if (classes.names.empty() && !file.distances.empty())
+        classes = {
+            .names = file.classes.names, .distances = file.distances, .weights = file.weights};
+    if (!line.has("border") && !line.has("inside-by-radius")) {
+        request.border = number_of(file, "border").value_or(0);
+        if (classes.names == file.classes.names) classes.borders = file.borders;
+        options.inside_by_radius = file.options.contains("inside_by_radius");
+    }
+    if (!options.edge) options.edge = number_of(file, "edge");
     return field;
 }
 

@@ -31,6 +31,16 @@ std::string numbered(const SetClaim& claim, std::size_t index) {
     return fmt::format("{}, of class {},", at, claim.classes.names[claim.own_classes[index]]);
 }
 
+// The border of each class, or that of all; empty if there is none.
+std::string borders(const SetClaim& claim) {
+    const Classes& classes = claim.classes;
+    if (classes.borders.empty()) return claim.border == 0 ? "" : fmt::format("{}", claim.border);
+    std::string text;
+    for (std::size_t i = 0; i < classes.borders.size(); ++i)
+        text += fmt::format("{}{} of {}", i == 0 ? "" : ", ", classes.borders[i], classes.names[i]);
+    return text;
+}
+
 // Whether distances have limits of their own.
 bool has_limits(const Claim& claim) {
     return claim.field != nullptr || !claim.classes.names.empty();
@@ -81,7 +91,7 @@ std::string places(const SetClaim& claim) {
     append_polygons("inside", given.inside);
     append_polygons("outside", given.outside);
     append_polygons("avoid", given.avoid);
-    if (claim.border != 0) append("border", fmt::format("{}", claim.border));
+    if (const std::string border = borders(claim); !border.empty()) append("border", border);
     if (!given.keep.empty())
         append("kept", fmt::format("{}, {} points", printable(given.keep), claim.keep.size()));
     return rows;
@@ -94,13 +104,17 @@ std::string reason(const SetClaim& claim) {
         case Proof::Closed::mask:
             return "where the mask lets none lie";
         case Proof::Closed::polygons:
-            return claim.options.outside.empty() && claim.options.avoid.empty() && claim.border == 0
+            return claim.options.outside.empty() && claim.options.avoid.empty() &&
+                           borders(claim).empty()
                        ? "outside the polygons"
                        : "where the polygons let none lie";
         case Proof::Closed::border:
             break;
     }
-    return fmt::format("nearer than {} to an edge of the domain", claim.border);
+    return fmt::format("nearer than {} to an edge of the domain",
+                       claim.classes.borders.empty()
+                           ? claim.border
+                           : claim.classes.borders[claim.own_classes[*claim.proof.forbidden]]);
 }
 
 // Why the proof ended before distances and gaps were looked at. Empty if it did not.
@@ -128,7 +142,7 @@ std::string kind(const SetClaim& claim) {
                            : fmt::format(" of radius {}", claim.radius);
     if (!claim.classes.names.empty())
         kind = fmt::format(" of {} classes", claim.classes.names.size());
-    if (claim.mask != nullptr || !claim.rings.empty() || claim.border != 0)
+    if (claim.mask != nullptr || !claim.rings.empty() || !borders(claim).empty())
         kind += " where points may lie";
     return kind;
 }

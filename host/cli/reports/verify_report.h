@@ -30,7 +30,8 @@ struct SetClaim : Claim {
     std::shared_ptr<const Field> own_field;       // of the ellipse that its file says all have
     std::vector<std::vector<PolygonRing>> rings;  // of each file of polygons
     std::vector<PolygonSet> kinds;                // of the rings, as in DomainFiles
-    std::vector<PolygonSet> sets;                 // of the rings, once the claim has its place
+    std::vector<Clearances> clearances;           // of each class, or of all
+    std::vector<std::vector<PolygonSet>> sets;    // the same, once the claim has its place
     std::vector<std::uint8_t> own_classes;        // of the points
     Proof proof;
     std::vector<Level> levels;  // of a progressive order

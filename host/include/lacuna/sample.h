@@ -86,6 +86,10 @@ struct Classes {
     // How often each class is drawn, in proportion to the room that it still has; >= 0, not all 0.
     // Empty: all alike. A class of weight 0 is not drawn: its points are the kept ones.
     std::vector<double> weights{};
+    // The border and the mask of each class, in place of Request::border and mask. Empty: those are
+    // for all. A mask may be null: then it is Request::mask. All masks must outlive the call.
+    std::vector<double> borders{};
+    std::vector<const Mask*> masks{};
 };
 
 // The distances of round objects of these radii that do not overlap: the sum of two radii. Two

@@ -76,11 +76,14 @@ struct Claim {
     double edge_tolerance = 0;  // spots this near to the polygons' edges need no point
     double border = 0;
 
-    // Classes of points, as in Request: names, distances and weights. No two points may be closer
+    // Classes of points, as in Request. No two points may be closer
     // than the distance of their classes, and no spot may be left where a point of any class with a
     // weight has room. With a radius or scale the distances are in proportion, as in Request.
     Classes classes{};
     std::span<const std::uint8_t> class_of_points{};  // of each point: its place in the names
+    // Polygons of each class, in place of those above; empty: those are for all. The borders and
+    // masks of the classes count as in Request.
+    std::vector<std::span<const PolygonSet>> polygons_of_classes{};
 
     // The points that the set begins with, equal to the bit. They must outlive the call.
     std::span<const Point> keep{};
