@@ -115,13 +115,15 @@ constexpr Row kRows[] = {
      "of distances, .csv or .json, a row and a column a class, which leaves no R to --class"},
     {{"mask", "IMAGE", Kind::read_file, kPlaced},
      "A picture that says where points may lie: on pixels that are neither black nor transparent"},
-    {{"inside", "FILE", Kind::read_file, kPlaced, {.repeats = true}},
+    {{"inside", "[NAME:]FILE", Kind::places, kPlaced, {.repeats = true}},
      "Polygons that points must lie in: .svg, .geojson or .txt (`x y` on each line, a blank line "
      "between rings); FILE.svg#NAME is the part with this id or Inkscape label; polygons that "
      "overlap are joined, each filled by its own rule; may be given several times, and points then "
-     "lie inside of any"},
-    {{"outside", "FILE", Kind::read_file, kPlaced, {.repeats = true}},
-     "Polygons that points must not lie in, as for --inside; may be given several times"},
+     "lie inside of any. NAME:FILE is for one class, whose points lie inside of its own files "
+     "alone"},
+    {{"outside", "[NAME:]FILE", Kind::places, kPlaced, {.repeats = true}},
+     "Polygons that points must not lie in, as for --inside; may be given several times. NAME:FILE "
+     "is for one class"},
     {{"avoid", "FILE[:WIDTH]", Kind::obstacles, kPlaced, {.repeats = true}},
      "Obstacles that points stay away from: points of a .csv, by its column radius, or lines and "
      "outlines of a .svg, .geojson or .txt, within WIDTH; may be given several times"},

@@ -38,6 +38,7 @@ enum class Kind {
     word,          // of Traits::words, which error messages and completions list
     read_file,     // a path
     obstacles,     // FILE or FILE:WIDTH, which is read
+    places,        // FILE or NAME:FILE, which is read
     word_or_file,  // a word of Traits::words, or a path that is read
     written_file,  // a path
 };
@@ -62,7 +63,9 @@ struct Option {
     Traits traits = {};
 
     bool is_argument() const { return name.front() >= 'A' && name.front() <= 'Z'; }
-    bool names_a_file() const { return kind == Kind::read_file || kind == Kind::obstacles; }
+    bool names_a_file() const {
+        return kind == Kind::read_file || kind == Kind::obstacles || kind == Kind::places;
+    }
     // Its name in JSON and in Python.
     std::string key() const;
 };

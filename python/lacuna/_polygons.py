@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Iterable, SupportsFloat
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, SupportsFloat
 
 import numpy as np
 
@@ -41,6 +41,8 @@ class Polygons:
 
 if TYPE_CHECKING:
     Places = Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None
+    # Also those of classes, by their names, and by None those of all.
+    PlacesOfClasses = Places | Mapping[str | None, Places]
     # Lines and the distance that points keep from them.
     Obstacles = list[tuple[Polygons | Iterable[npt.ArrayLike], float]]
 
@@ -132,10 +134,19 @@ def read_lines(path: str | bytes | os.PathLike[Any]) -> Polygons:
 
 
 class _Place:
-    """Rings of one argument, which are read once, and the distance that points keep from them."""
+    """Rings of one argument, which are read once, and the distance that points keep from them. They
+    are for the points of one class, or for all."""
 
-    def __init__(self, argument: str, given: object, is_forbidden: bool, distance: float) -> None:
+    def __init__(
+        self,
+        argument: str,
+        given: object,
+        is_forbidden: bool,
+        distance: float,
+        kind: str | None = None,
+    ) -> None:
         self.argument, self.is_forbidden, self.distance = argument, is_forbidden, distance
+        self.kind = kind
         self.page = None
         if isinstance(given, Polygons):
             self.rings, self.page = list(given.rings), given.domain
@@ -167,8 +178,12 @@ def places_of(
 ) -> list[_Place]:
     """The places of these arguments. ``border`` is the distance from outlines, and ``inner`` the
     name of the first argument."""
-    places = [_Place(inner, one, False, border) for one in _several(inside)]
-    places += [_Place("outside", one, True, border) for one in _several(outside)]
+    places = [
+        _Place(argument, one, is_forbidden, border, kind)
+        for argument, is_forbidden, given in ((inner, False, inside), ("outside", True, outside))
+        for kind, some in (given.items() if isinstance(given, Mapping) else [(None, given)])
+        for one in _several(some)
+    ]
     if avoid is None:
         return places
     if not isinstance(avoid, (list, tuple)) or not all(
@@ -203,19 +218,33 @@ def around(places: list[_Place]) -> Extent:
 def sets_on(
     asked: dict[str, Any],
     places: list[_Place],
-    borders: Iterable[float] = (0.0,),
+    borders: list[float] | None = None,
     are_radii: bool = False,
 ) -> list[list[_core.PolygonSet]]:
-    """The sets of places on the domain of these options, for each border. It is kept from outlines,
-    and beyond the width of obstacles if borders are the radii of objects."""
-    sets = [place.on(asked["domain"], asked["torus"]) for place in places]
-    return [
-        [
-            (name, rings, forbidden, width + (border if are_radii or name != "avoid" else 0.0))
-            for name, rings, forbidden, width in sets
-        ]
-        for border in borders
-    ]
+    """The sets of places on the domain of these options, for all points or for each class. Borders
+    are kept from outlines, and beyond the width of obstacles if they are the radii of objects."""
+    names: list[str] = asked.get("class_names", [])
+    own = {place.kind for place in places} - {None}
+    for name in own:
+        if name not in names:
+            raise BadRequest(f"inside {shown(name)}: must be the name of a class", "inside")
+    each = borders or [0.0]
+    if own and len(each) == 1:
+        each = each * len(names)
+    sets = [(place, place.on(asked["domain"], asked["torus"])) for place in places]
+    of_classes = []
+    kinds: list[str | None] = [*names] or [None]
+    for border, kind in zip(each, kinds):
+        has_inside = any(one.kind == kind and not one.is_forbidden for one in places if own)
+        of_classes.append(
+            [
+                (name, rings, forbidden, width + (border if are_radii or name != "avoid" else 0.0))
+                for place, (name, rings, forbidden, width) in sets
+                if place.kind == kind
+                or (place.kind is None and (place.is_forbidden or not has_inside))
+            ]
+        )
+    return of_classes
 
 
 def domain_around(*places: Places) -> Extent:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from ._arguments import Domain, Metric, Mode, Progress, Seed, Whole
     from ._classes import Border, ClassSizes
-    from ._polygons import Obstacles, Places
+    from ._polygons import Obstacles, PlacesOfClasses
 
 # The most sets in a batch, and for an iterator the most points. A batch is made by one call of the
 # library, and its first set is handed out only when all of them are made.
@@ -41,8 +41,8 @@ def sample(
     scale: SupportsFloat | None = None,
     metric: Metric | None = None,
     mask: npt.ArrayLike | None = None,
-    inside: Places = None,
-    outside: Places = None,
+    inside: PlacesOfClasses = None,
+    outside: PlacesOfClasses = None,
     avoid: Obstacles | None = None,
     edge: SupportsFloat | None = None,
     border: Border = 0,
@@ -107,7 +107,8 @@ def sample(
     inside, outside : Polygons, iterable of array_like, or list of Polygons, optional
         Polygons in which points must lie, and must not lie: outlines of shape (N, 2) in the unit of
         ``domain``, y upwards, or what ``read_polygons`` gives. Of several Polygons a point lies in
-        any. Not with a mask.
+        any. With classes also a dict: those of a class by its name, and by None those of all. A
+        class that has ``inside`` of its own lies in that alone. Not with a mask.
     avoid : list of (Polygons or iterable of array_like, float), optional
         Obstacles: lines, outlines and points, and the distance that points keep from them.
         ``read_lines`` reads them; an array of one row is a point.

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from ._arguments import Domain, Extent
     from ._classes import Border, ClassSizes
-    from ._polygons import Obstacles, Places
+    from ._polygons import Obstacles, PlacesOfClasses
 
     Floats = npt.NDArray[np.float64]
 
@@ -183,8 +183,8 @@ def verify(
     ellipses: npt.ArrayLike | None = None,
     scale: SupportsFloat | None = None,
     mask: npt.ArrayLike | None = None,
-    inside: Places = None,
-    outside: Places = None,
+    inside: PlacesOfClasses = None,
+    outside: PlacesOfClasses = None,
     avoid: Obstacles | None = None,
     edge: SupportsFloat = 0,
     border: Border | None = None,

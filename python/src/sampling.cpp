@@ -189,15 +189,16 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* ma
     settle(given, moves, request);
     std::vector<PolygonSets> sets = polygons_of_classes(polygons);
     std::vector<Mask> places(sets.size());
-    if (!sets.front().are_none()) {
+    if (!std::all_of(sets.begin(), sets.end(), [](const auto& one) { return one.are_none(); })) {
         const double edge = edge_of(given, request);
         const Unlocked unlocked;
         for (std::size_t i = 0; i < sets.size(); ++i)
-            places[i] =
-                draw_places(sets[i].copy(), request.domain, edge, request.place.memory_limit_bytes);
-        request.mask = &places.front();
+            if (!sets[i].are_none())
+                places[i] = draw_places(sets[i].copy(), request.domain, edge,
+                                        request.place.memory_limit_bytes);
+        if (places.size() == 1) request.mask = &places.front();
         for (const Mask& one : places)
-            if (places.size() > 1) request.classes.masks.push_back(&one);
+            if (places.size() > 1) request.classes.masks.push_back(one.drawn ? &one : nullptr);
     }
     Watch watch(std::move(progress));
     recipes::Made set;

@@ -214,3 +214,24 @@ def test_without_classes_an_object_is_as_wide_as_the_distance_of_two() -> None:
 def test_what_is_wrong_with_a_border_is_named(arguments: dict[str, Any], message: str) -> None:
     with pytest.raises(lacuna.BadRequest, match=message):
         lacuna.sample(classes=KINDS, **arguments)
+
+
+def test_polygons_of_classes_hold_their_points_alone(tmp_path: Path) -> None:
+    wet = [[(0.2, 0.2), (0.8, 0.3), (0.6, 0.7)]]
+    path = tmp_path / "wet.txt"
+    path.write_text("0.2 0.2\n0.8 0.3\n0.6 0.7\n", encoding="ascii")
+    kinds = {"trees": 0.05, "reeds": 0.01}
+    made = lacuna.sample(classes=kinds, inside={"reeds": wet}, domain=(1, 1), seed=2)
+    command = ["build/lacuna", "sample", "--class", "trees:0.05", "--class", "reeds:0.01"]
+    command += ["--inside", f"reeds:{path}", "--seed", "2", "--domain", "1x1", "--quiet"]
+    subprocess.run([*command, "-o", str(tmp_path / "its.npy")], check=True)
+    made.save(tmp_path / "own.npy")
+    assert (tmp_path / "own.npy").read_bytes() == (tmp_path / "its.npy").read_bytes()
+    assert lacuna.verify(made, inside={"reeds": wet}, edge=0.02 / 16).maximal
+    found = lacuna.verify(made, inside={"trees": wet}, edge=0.02 / 16)
+    assert found.forbidden_by == "inside" and made.class_of is not None
+    assert made.classes[made.class_of[found.forbidden or 0]] == "trees"
+    with pytest.raises(lacuna.BadRequest, match="inside 'rocks': must be the name of a class"):
+        lacuna.sample(classes=kinds, inside={"rocks": wet})
+    of_all = lacuna.sample(classes=kinds, inside={None: wet}, domain=(1, 1), seed=2)
+    assert (of_all.points == lacuna.sample(classes=kinds, inside=wet, domain=(1, 1), seed=2).points).all()

@@ -1,4 +1,4 @@
-// Objects that overhang nothing: borders of classes, and --inside-by-radius.
+// Places of classes: borders and polygons of their own, and objects that overhang nothing.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
@@ -160,6 +160,55 @@ TEST(Objects, KeepAwayFromObstaclesByTheirRadius) {
     }
     const Outcome proven = run("verify", {json, "--avoid", rock});
     EXPECT_EQ(proven.exit_code, 0) << proven.out;
+}
+
+TEST(PolygonsOfClasses, HoldTheirPointsAlone) {
+    const Folder folder;
+    const std::string parcel = folder.path("parcel.txt"), json = folder.path("a.json");
+    const std::string wet = folder.path("wet.txt"), road = folder.path("b:road.txt");
+    write_file(parcel, "0 0\n1 0\n1 1\n0 1\n");
+    write_file(wet, "0.2 0.2\n0.7 0.2\n0.7 0.5\n0.2 0.5\n");
+    write_file(road, "0.4 0\n0.6 0\n0.6 1\n0.4 1\n");
+    const Names kinds{"--class", "trees:0.05", "--class", "reeds:0.02:50", "--class", "grass:0.01"};
+    const Names where{"--inside", parcel, "--inside", "reeds:" + wet, "--outside", "trees:" + road};
+    ASSERT_EQ(run("sample", with(with(kinds, where), {"-o", json, "--quiet"})).exit_code, 0);
+    const files::SetsOfFile file = files::read_sets(json);
+    std::vector<std::size_t> counts(3), in_wet(3), on_road(3);
+    for (std::size_t i = 0; i < file.sets.front().size(); ++i) {
+        const Point at = file.sets.front()[i];
+        const std::size_t kind = file.classes.of_point[i];
+        ++counts[kind];
+        in_wet[kind] += at.x >= 0.2 && at.x <= 0.7 && at.y >= 0.2 && at.y <= 0.5;
+        on_road[kind] += at.x > 0.4 && at.x < 0.6;
+    }
+    EXPECT_GT(counts[1], 20U);
+    EXPECT_EQ(in_wet[1], counts[1]);
+    EXPECT_GT(counts[0], 20U);
+    EXPECT_EQ(on_road[0], 0U);
+    EXPECT_GT(on_road[1], 0U);
+    EXPECT_GT(on_road[2], 100U);
+    EXPECT_LT(in_wet[2], counts[2]);
+    const Outcome proven = run("verify", with({json}, where));
+    EXPECT_EQ(proven.exit_code, 0) << proven.out << proven.err;
+
+    const Names off_road{json, "--inside", parcel, "--outside", "trees:" + road};
+    const Outcome elsewhere = run("verify", with(off_road, {"--inside", "grass:" + wet}));
+    EXPECT_EQ(elsewhere.exit_code, 1);
+    EXPECT_NE(elsewhere.out.find(", of class grass, lies"), std::string::npos) << elsewhere.out;
+    const std::string other = folder.path("other.json");
+    ASSERT_EQ(run("sample", {"--class", "a:0.3", "-o", other, "--quiet"}).exit_code, 0);
+    EXPECT_EQ(
+        run("verify", {json, other, "--inside", "reeds:" + wet, "--outside", "trees:" + road}).err,
+        "lacuna: --inside reeds: is no class of this set\n");
+    // A name before the colon that is no class belongs to the path.
+    const Outcome missing =
+        run("sample", with(kinds, {"--inside", "rocks:a.txt", "--format", "csv"}));
+    EXPECT_NE(missing.err.find("rocks:a.txt: "), std::string::npos) << missing.err;
+    EXPECT_EQ(run("sample", with(kinds, {"--outside", road, "-o", json, "--quiet"})).exit_code, 0);
+    const Outcome overwritten = run(
+        "sample", with(kinds, {"--inside", "reeds:" + wet, "-o", wet + ".csv", "--report", wet}));
+    EXPECT_NE(overwritten.exit_code, 0);
+    EXPECT_EQ(files::read_whole(wet).substr(0, 7), "0.2 0.2");
 }
 
 TEST(BordersOfClasses, AreNamedWhenAPointIsNearer) {

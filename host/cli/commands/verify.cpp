@@ -155,9 +155,9 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& 
     claim.rings = rings_of(request, given.files);
     claim.kinds = given.files.kinds;
     claim.clearances = clearances_of(claim.options, request, given.files);
-    if (!claim.rings.empty()) {
-        const std::vector<PolygonSet> sets =
-            sets_of(claim.clearances.front(), claim.kinds, claim.rings);
+    for (const Clearances& clearances : claim.clearances) {
+        if (clearances.empty()) continue;
+        const std::vector<PolygonSet> sets = sets_of(clearances, claim.kinds, claim.rings);
         check_places(sets, request.domain);
         claim.edge_tolerance = given.files.edge =
             edge_of(claim.options, request, sets, given.files);
@@ -215,9 +215,12 @@ void run(const CommandLine& line, const VerifyCommand& options) {
     check(line, options);
     Given given{options.request, {}};
     if (options.torus) given.request.domain.boundary = Boundary::torus;
-    read_given_files(line, options.domain, given.request, given.files);
     std::vector<files::SetsOfFile> all;
     for (const std::string& path : options.files) all.push_back(files::read_sets(path));
+    DomainOptions domain = options.domain;
+    if (domain.classes.given.empty() && !all.front().distances.empty())
+        domain.classes.known = all.front().classes.names;
+    read_given_files(line, domain, given.request, given.files);
     std::vector<SetClaim> claims;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::string name = files::name_of(options.files[i]);

@@ -98,12 +98,18 @@ void add_command(CLI::App& app, recipes::Commands which, const std::string& desc
 
 std::vector<GivenFile> files_read(const CommandLine& line) {
     std::vector<GivenFile> files;
+    std::vector<std::string> classes;
+    for (const auto& [name_in_table, values] : line.given)
+        for (const std::string& value : values)
+            if (name_in_table == "class") classes.push_back(value.substr(0, value.find(':')));
     for (const auto& [name_in_table, values] : line.given) {
         const Option& option = *recipes::find_option(line.command, name_in_table);
         const std::string name = (option.is_argument() ? "" : "--") + std::string(name_in_table);
         for (const std::string& value : values) {
             if (option.kind == Kind::read_file) files.push_back({name, value});
             if (option.kind == Kind::obstacles) files.push_back({name, path_of_obstacles(value)});
+            if (option.kind == Kind::places)
+                files.push_back({name, class_and_path(value, classes).second});
             if (option.kind == Kind::word_or_file && !recipes::is_among(value, option.traits.words))
                 files.push_back({name, value});
         }

@@ -165,6 +165,15 @@ void take_borders(const DomainOptions& options, Request& request) {
         classes.borders.push_back(one.value_or(request.border));
 }
 
+std::pair<std::string, std::string> class_and_path(const std::string& text,
+                                                   const std::vector<std::string>& names) {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    const std::string name = text.substr(0, colon);
+    if (colon == text.size() || std::find(names.begin(), names.end(), name) == names.end())
+        return {"", text};
+    return {name, text.substr(colon + 1)};
+}
+
 std::vector<std::uint8_t> classes_in(const files::SetsOfFile& file, const Classes& classes,
                                      const std::string& name) {
     if (file.classes.names.empty() && !file.sets.front().empty())

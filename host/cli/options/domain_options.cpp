@@ -166,7 +166,11 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
         if (!request.scale && !request.count) request.scale = 1;
     }
     for (const std::vector<std::string>* paths : {&options.inside, &options.outside})
-        for (const std::string& path : *paths) {
+        for (const std::string& text : *paths) {
+            const auto& [own, path] =
+                class_and_path(text, options.classes.known.empty() ? request.classes.names
+                                                                   : options.classes.known);
+            files.own.push_back(own);
             const bool forbidden = paths == &options.outside;
             const char* const option = forbidden ? "outside" : "inside";
             const Polygons& polygons = files.polygons.emplace_back(read_polygons_of(option, path));
@@ -177,6 +181,7 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
         for (Obstacles& obstacles : read_obstacles(text)) {
             if (obstacles.lines.page) give_shape(*obstacles.lines.page);
             files.polygons.push_back(std::move(obstacles.lines));
+            files.own.emplace_back();
             files.kinds.push_back({.forbidden = true,
                                    .distance = obstacles.distance,
                                    .option = "avoid",
@@ -219,11 +224,27 @@ std::vector<std::vector<PolygonRing>> rings_of(const Request& request, const Dom
 
 std::vector<Clearances> clearances_of(const DomainOptions& options, const Request& request,
                                       const DomainFiles& files) {
-    std::vector<Clearances> all(std::max<std::size_t>(request.classes.borders.size(), 1));
+    const std::vector<std::string>& names = request.classes.names;
+    bool are_alike = request.classes.borders.empty();
     for (std::size_t kind = 0; kind < files.kinds.size(); ++kind) {
-        const double width = files.kinds[kind].distance;  // 0: it is no obstacle
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            const bool has_border = width == 0 || options.inside_by_radius;
+        const std::string& own = files.own[kind];
+        are_alike &= own.empty();
+        if (!own.empty() && std::find(names.begin(), names.end(), own) == names.end())
+            throw BadRequest(files.kinds[kind].option, own, "is no class of this set");
+    }
+    const auto is_one_for = [&](std::size_t kind, std::size_t of_class) {
+        return !files.own[kind].empty() && files.own[kind] == names[of_class];
+    };
+    std::vector<Clearances> all(are_alike ? 1 : names.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        bool has_inside = false;  // of its own
+        for (std::size_t kind = 0; kind < files.kinds.size(); ++kind)
+            has_inside |= !files.kinds[kind].forbidden && is_one_for(kind, i);
+        for (std::size_t kind = 0; kind < files.kinds.size(); ++kind) {
+            const auto& [rings, forbidden, width, option, name] = files.kinds[kind];
+            const bool is_for_all = files.own[kind].empty() && (forbidden || !has_inside);
+            if (!is_for_all && !is_one_for(kind, i)) continue;
+            const bool has_border = width == 0 || options.inside_by_radius;  // 0: no obstacle
             all[i].emplace_back(kind, width + (has_border ? border_of(request, i) : 0));
         }
     }
@@ -261,13 +282,20 @@ void read_domain_files(const CommandLine& line, const DomainOptions& options, Re
         return draw_places(sets_of(clearances, files.kinds, rings), request.domain, files.edge,
                            request.place.memory_limit_bytes);
     };
-    files.edge = edge_of(options, request, sets_of(all.front(), files.kinds, rings), files);
-    if (request.classes.borders.empty()) {
+    const Clearances& some = *std::max_element(
+        all.begin(), all.end(),
+        [](const Clearances& a, const Clearances& b) { return a.size() < b.size(); });
+    files.edge = edge_of(options, request, sets_of(some, files.kinds, rings), files);
+    if (all.size() == 1) {
         files.mask = draw(all.front());
         request.mask = &*files.mask;
         return;
     }
     for (const Clearances& own : all) {
+        if (own.empty()) {
+            request.classes.masks.push_back(nullptr);
+            continue;
+        }
         const auto [drawn, is_new] = files.masks_of_classes.try_emplace(own);
         if (is_new) drawn->second = draw(own);
         request.classes.masks.push_back(&drawn->second);

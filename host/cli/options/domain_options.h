@@ -29,11 +29,17 @@ namespace lacuna::cli {
 struct ClassOptions {
     std::vector<std::string> given;  // NAME:RADIUS:WEIGHT, where the last two may be missing
     std::string between = "sum";     // a rule, or the path of a matrix
+    std::vector<std::string> known;  // names that files may be given for, if no class was given
     bool has_file() const { return between != "sum" && between != "union"; }
 };
 
 // The classes, without names if none were given. Reads the matrix. Throws BadRequest and FileError.
 Classes read_classes(const ClassOptions& options);
+
+// The class that NAME:FILE is for, and FILE. The class is empty for FILE, which is for all: if no
+// class has the name before the first colon.
+std::pair<std::string, std::string> class_and_path(const std::string& text,
+                                                   const std::vector<std::string>& names);
 
 // The class of each point of a file, as places in `classes`. `name` stands for the file in
 // messages. Throws FileError if points have no class, or one that is not among the classes.
@@ -89,9 +95,9 @@ struct DomainOptions {
     Picture field;
     EllipseOptions ellipses;
     std::string mask;
-    std::vector<std::string> inside;
-    std::vector<std::string> outside;
-    std::vector<std::string> avoid;  // FILE or FILE:WIDTH
+    std::vector<std::string> inside;   // FILE or NAME:FILE
+    std::vector<std::string> outside;  // likewise
+    std::vector<std::string> avoid;    // FILE or FILE:WIDTH
     std::optional<double> edge;
     std::string keep;
     ClassOptions classes;
@@ -110,6 +116,7 @@ struct DomainFiles {
     // a PolygonSet says of each: whether it is forbidden, and the width of obstacles.
     std::vector<Polygons> polygons;
     std::vector<PolygonSet> kinds;
+    std::vector<std::string> own;  // of each of these: the class that it is for; empty: for all
     std::map<Clearances, Mask>
         masks_of_classes;  // drawn, where classes keep distances of their own
     std::vector<Point> keep;
@@ -131,7 +138,8 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
 // Gives the request and its classes the borders of --border and --inside-by-radius.
 void take_borders(const DomainOptions& options, Request& request);
 
-// The clearances of each class if classes keep distances of their own; otherwise those of all.
+// The clearances of each class if classes have borders or polygons of their own; otherwise those of
+// all.
 std::vector<Clearances> clearances_of(const DomainOptions& options, const Request& request,
                                       const DomainFiles& files);
 
