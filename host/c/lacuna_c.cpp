@@ -92,6 +92,8 @@ public:
         if (given == nullptr) return;
         kept_ = points_of("keep", given->kept, given->kept_count);
         request.keep = kept_;
+        refuse_size_alone("field", given->importance, given->columns, given->rows);
+        refuse_size_alone("mask", given->allowed, given->mask_columns, given->mask_rows);
         const bool has_shape = line.has("domain");
         if (given->allowed != nullptr)
             take(mask_, "mask", given->allowed, given->mask_columns, given->mask_rows);
@@ -107,6 +109,13 @@ public:
     }
 
 private:
+    static void refuse_size_alone(const char* option, const void* first, std::size_t columns,
+                                  std::size_t rows) {
+        if (first == nullptr && (columns != 0 || rows != 0))
+            throw BadRequest(
+                option, "NULL",
+                "must be " + std::to_string(columns) + "x" + std::to_string(rows) + " numbers");
+    }
     template <typename Raster, typename Value>
     static void take(std::optional<Raster>& raster, const char* option, const Value* first,
                      std::size_t columns, std::size_t rows) {

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "base/polling.h"
@@ -57,7 +59,9 @@ Polygons decode(std::string_view bytes, std::string_view format, const std::stri
                                       : domains::decode_svg(bytes, name, take, layer);
     if (!polygons.rings.empty()) return polygons;
     const std::string where =
-        layer.empty() ? "" : fmt::format(" in the layer {}", files::excerpt(layer));
+        layer.empty()
+            ? ""
+            : fmt::format(" in the layer {}, or it is hidden or in defs", files::excerpt(layer));
     if (take == domains::Take::insides)
         files::refuse(
             name, fmt::format("no polygon{}: there must be at least one, of three points or more",
@@ -75,11 +79,18 @@ Polygons read(const std::string& path, const char* option, domains::Take take) {
 }  // namespace
 
 domains::FileAndLayer domains::file_and_layer(const std::string& path) {
-    const std::size_t sharp = path.rfind('#');
-    if (sharp == std::string::npos || sharp + 1 == path.size() ||
-        extension_of(path.substr(0, sharp)) != "svg")
-        return {path, ""};
-    return {path.substr(0, sharp), path.substr(sharp + 1)};
+    const auto exists = [](const std::string& file) {
+        std::error_code ignored;
+        return std::filesystem::exists(file, ignored);
+    };
+    FileAndLayer parts{path, ""};
+    for (std::size_t sharp = path.find('#'); sharp < path.size() - 1 && !exists(parts.file);
+         sharp = path.find('#', sharp + 1)) {
+        const FileAndLayer split{path.substr(0, sharp), path.substr(sharp + 1)};
+        if (extension_of(split.file) == "svg" && (parts.layer.empty() || exists(split.file)))
+            parts = split;
+    }
+    return parts;
 }
 
 Polygons read_polygons(const std::string& path) {

@@ -44,7 +44,7 @@ inline PolygonRing around_and_back(PolygonRing ring) {
     return there_and_back(std::move(ring));
 }
 
-// The parts of FILE.svg#LAYER; other paths have no layer.
+// The parts of FILE.svg#LAYER. Other paths have no layer, nor has the path of a file that exists.
 struct FileAndLayer {
     std::string file{};
     std::string layer{};  // an id, or Inkscape's label

@@ -87,7 +87,9 @@ public:
           take_(take),
           outline_(kTolerance * std::max(page.width, page.height), take) {
         remember(root);
-        if (!layer.empty()) layer_ = find_layer(root, layer);
+        if (layer.empty()) return;
+        layer_ = find_layer(root, layer);
+        for (pugi::xml_node node = layer_; node; node = node.parent()) around_.push_back(node);
     }
 
     Polygons draw(pugi::xml_node root) {
@@ -130,38 +132,43 @@ private:
         root.traverse(walker);
     }
 
-    static std::string_view label_of(pugi::xml_node node) {
-        return node.attribute("inkscape:label").value();
-    }
-
-    // The element with this id or, if there is none, the only one with this label.
+    // The only element with this id or, if there is none, with this label.
     pugi::xml_node find_layer(pugi::xml_node root, std::string_view layer) const {
-        if (const auto found = by_id_.find(layer); found != by_id_.end()) return found->second;
         struct Walker : pugi::xml_tree_walker {
             std::string_view layer;
-            std::vector<pugi::xml_node> found;
-            std::vector<std::string_view> labels;
+            std::array<std::vector<pugi::xml_node>, 2> found;  // by id, by label
+            std::array<std::vector<std::string>, 2> names;
             bool for_each(pugi::xml_node& node) override {
-                const std::string_view label = label_of(node);
-                if (!label.empty()) labels.push_back(label);
-                if (label == layer) found.push_back(node);
+                for (const std::size_t kind : {0U, 1U}) {
+                    const std::string_view name =
+                        node.attribute(kind == 0 ? "id" : "inkscape:label").value();
+                    if (!name.empty()) names[kind].push_back(files::excerpt(name));
+                    if (name == layer) found[kind].push_back(node);
+                }
                 return true;
             }
         } walker;
         walker.layer = layer;
+        walker.for_each(root);  // which traverse() leaves out
         root.traverse(walker);
-        if (walker.found.size() == 1) return walker.found.front();
+        const bool has_label = walker.found[0].empty();
+        const std::vector<pugi::xml_node>& found = walker.found[has_label ? 1 : 0];
+        if (found.size() == 1) return found.front();
+        if (!found.empty())
+            files::refuse(name_,
+                          fmt::format("{} elements have the {} {}: must be one", found.size(),
+                                      has_label ? "label" : "id", files::excerpt(layer)));
+        std::vector<std::string>& names = walker.names[walker.names[1].empty() ? 0 : 1];
         constexpr std::size_t kShown = 8;
-        walker.labels.resize(std::min(walker.labels.size(), kShown));
-        files::refuse(name_,
-                      walker.found.empty()
-                          ? fmt::format("no element has the id or the label {}; labels: {}",
-                                        files::excerpt(layer),
-                                        walker.labels.empty()
-                                            ? "none"
-                                            : fmt::format("{}", fmt::join(walker.labels, ", ")))
-                          : fmt::format("{} elements have the label {}: give the id of one",
-                                        walker.found.size(), files::excerpt(layer)));
+        const char* const more = names.size() > kShown ? ", ..." : "";
+        names.resize(std::min(names.size(), kShown));
+        files::refuse(name_, fmt::format("no element has the id or the label {}: there are {}{}",
+                                         files::excerpt(layer), fmt::join(names, ", "), more));
+    }
+
+    // Whether an element may contain something of the layer, or lies in it.
+    bool is_about_layer(pugi::xml_node node, const Inherited& outer) const {
+        return outer.is_chosen || std::find(around_.begin(), around_.end(), node) != around_.end();
     }
 
     void read_sheet(pugi::xml_node node) {
@@ -250,6 +257,7 @@ private:
         const bool is_group = kind == "g" || kind == "a" || kind == "switch";
         const bool is_nested = kind == "svg" || (kind == "symbol" && depth_of_use_ > 0);
         if (!is_group && !is_nested && kind != "use" && kind != "line" && !is_shape(kind)) return;
+        if (!is_about_layer(node, outer)) return;
         const Style style = sheets_.style_of(node);
         if (!is_drawn(node, style)) return;
         if (depth > kDeepest)
@@ -268,7 +276,7 @@ private:
         if (kind == "switch") return draw_first(node, here, depth + 1);
         if (is_group) return draw_children(node, here, depth + 1);
         if (kind == "use") return draw_used(node, here, depth);
-        if (here.is_visible && here.is_chosen) draw_visible(node, kind, style, here);
+        if (here.is_visible) draw_visible(node, kind, style, here);
     }
 
     void draw_visible(pugi::xml_node node, std::string_view kind, const Style& style,
@@ -423,6 +431,7 @@ private:
     std::vector<PolygonRing> lines_;
     std::map<std::string_view, pugi::xml_node> by_id_;
     pugi::xml_node layer_{};
+    std::vector<pugi::xml_node> around_;  // the layer and the elements that contain it
     StyleSheets sheets_;
     std::size_t elements_ = 0;
     int depth_of_use_ = 0;

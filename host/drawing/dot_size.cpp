@@ -75,8 +75,8 @@ double in_steps(double size) {
 }
 
 // The factor, 0.8 to 1.25, by which all dots must be wider to cover `area`. Sets that keep least
-// distances are less dense than their importance where it is great, so their dots overlap less than
-// the tables above say; ellipses overlap more.
+// distances are less dense than their importance where it is great: their dots overlap less than
+// those of kWider. Ellipses overlap more.
 double times_for(double area, std::span<const Point> points, std::span<const Ellipse> dots,
                  const Domain& domain) {
     constexpr int kHalvings = 7;

@@ -59,9 +59,9 @@ Field density_of(const Field& field, const Sizing& sizing);
 // paper that the importance says: half where it is 0.5, and 99 % where it is 1. As long as few dots
 // overlap, the areas of all dots sum to the integral of the importance. Above importance 0.55 more
 // dots overlap, so they are up to 1.3 times as wide (1.12 times for Spread::even). Dots of
-// Spread::random are then all made wider or narrower by one factor, 0.8 to 1.25, at which together
-// they cover the mean importance. `points` fill the domain, and `field` is stretched over it.
-// `sizing` has no pens.
+// Spread::random are then, without solid_black, all made wider or narrower by one factor: that of
+// 0.8 to 1.25 at which together they cover the mean importance best. `points` fill the domain, and
+// `field` is stretched over it. `sizing` has no pens.
 std::vector<double> dot_diameters(std::span<const Point> points, const Field& field,
                                   const Domain& domain, Spread spread = Spread::random,
                                   const Sizing& sizing = {});

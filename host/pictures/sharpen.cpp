@@ -16,13 +16,17 @@ void sharpen(Image& image, const Importance& options) {
     blur(blurred, image.columns, image.rows, options.sharpen);
     // A smaller difference is of rounding: it must not put importance on white.
     const double least = 1e-9 * image.white;
-    // Dark shapes keep half of their light: otherwise dots at their edges would touch, as a line.
-    constexpr double kLeastShare = 0.5;
+    // On the side of an edge where dots are dense, pixels come at most half of the way to black (to
+    // white with `invert`): otherwise dots there would touch, as a line.
+    constexpr double kMostOfWay = 0.5;
     for_each_polled(blurred.size(), ask, [&](std::size_t i) {
         double& light = image.luminance[i];
         const double edge = light - blurred[i];
         if (std::abs(edge) < least) return;
-        light = std::clamp(light + options.sharpen_amount * edge, kLeastShare * light, image.white);
+        const double lowest = options.invert ? 0 : light - kMostOfWay * light;
+        const double highest =
+            options.invert ? light + kMostOfWay * (image.white - light) : image.white;
+        light = std::clamp(light + options.sharpen_amount * edge, lowest, highest);
     });
 }
 

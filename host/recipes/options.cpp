@@ -126,7 +126,9 @@ constexpr Row kRows[] = {
      "is for one class"},
     {{"avoid", "FILE[:WIDTH]", Kind::obstacles, kPlaced, {.repeats = true}},
      "Obstacles that points stay away from: points of a .csv, by its column radius, or lines and "
-     "outlines of a .svg, .geojson or .txt, within WIDTH; may be given several times"},
+     "outlines of a .svg, .geojson or .txt, within WIDTH; FILE.svg#NAME as for --inside; may be "
+     "given "
+     "several times"},
     {{"edge", "E", Kind::number, kPlaced},
      "How far inside the outline of polygons points may begin (default: a sixteenth of the least "
      "radius)"},

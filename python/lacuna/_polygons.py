@@ -106,8 +106,9 @@ def read_lines(path: str | bytes | os.PathLike[Any]) -> Polygons:
     Parameters
     ----------
     path : str, bytes or os.PathLike
-        A .svg, whose open paths are lines and whose closed ones are outlines; a .geojson with
-        points, lines and polygons; or a .txt with rings, of which one of two points is a line.
+        A .svg, whose open paths are lines and whose closed ones are outlines, or a part of it as
+        for ``read_polygons``; a .geojson with points, lines and polygons; or a .txt with rings, of
+        which one of two points is a line.
 
     Returns
     -------

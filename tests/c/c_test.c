@@ -114,6 +114,8 @@ static void masks_say_where_points_may_lie(void) {
     lacuna_free(set);
     given.mask_rows = 0;
     expect_error(lacuna_sample("--radius 0.05", &given), "mask 4x0");
+    given.allowed = NULL;
+    expect_error(lacuna_sample("--radius 0.05", &given), "mask NULL: must be 4x0 numbers");
 }
 
 static void pictures_become_dots(const char* path) {

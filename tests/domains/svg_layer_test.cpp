@@ -13,12 +13,13 @@ namespace lacuna {
 namespace {
 
 constexpr std::string_view kMap =
-    R"svg(<svg viewBox="0 0 10 10" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape">
+    R"svg(<svg id="all" viewBox="0 0 10 10" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape">
 <g id="layer1" inkscape:label="Lakes" transform="translate(1,0)"><rect id="pond" width="2" height="2"/></g>
 <g id="layer2" inkscape:label="Roads"><path d="M0,5 L10,5" fill="none"/></g>
 <g id="layer3" inkscape:label="Trees"><g inkscape:label="Old"><circle r="1" cx="8" cy="8"/></g></g>
 <g inkscape:label="Trees" clip-path="url(#none)"><rect x="4" y="4" width="1" height="1"/></g>
-<g id="empty"/></svg>)svg";
+<svg><switch systemLanguage="de"/></svg><use href="other.svg#x"/><use href="#pond" x="5"/>
+<g id="empty"/><g id="twice"/><g id="twice"/></svg>)svg";
 
 class LayersOfAnSvg : public testing::Test {
 protected:
@@ -70,13 +71,27 @@ TEST_F(LayersOfAnSvg, ThatAreNotReadMayHaveWhatIsRefused) {
     EXPECT_THROW(read_polygons(path_.string()), FileError);
 }
 
+TEST_F(LayersOfAnSvg, MayBeTheDrawingItself) {
+    EXPECT_NE(refusal_of("all").find("a line, which encloses nothing"), std::string::npos);
+}
+
+TEST_F(LayersOfAnSvg, DoNotHideAFileWithSuchAName) {
+    std::filesystem::rename(path_, folder_ / "a.svg#b.svg");
+    EXPECT_EQ(read_polygons((folder_ / "a.svg#b.svg").string() + "#Lakes").rings.size(), 1U);
+    std::ofstream(folder_ / "a.svg#b.svg")
+        << "<svg viewBox='0 0 1 1'><rect width='1' height='1'/></svg>";
+    EXPECT_EQ(read_polygons(folder_ / "a.svg#b.svg").rings.size(), 1U);
+}
+
 TEST_F(LayersOfAnSvg, ThatAreNotThereOrTwiceAreRefused) {
     EXPECT_EQ(refusal_of("Seas"),
-              "no element has the id or the label \"Seas\"; labels: Lakes, Roads, Trees, Old, "
-              "Trees");
-    EXPECT_EQ(refusal_of("Trees"), "2 elements have the label \"Trees\": give the id of one");
+              "no element has the id or the label \"Seas\": there are \"Lakes\", \"Roads\", "
+              "\"Trees\", \"Old\", \"Trees\"");
+    EXPECT_EQ(refusal_of("Trees"), "2 elements have the label \"Trees\": must be one");
+    EXPECT_EQ(refusal_of("twice"), "2 elements have the id \"twice\": must be one");
     EXPECT_EQ(refusal_of("empty"),
-              "no polygon in the layer \"empty\": there must be at least one, of three points or "
+              "no polygon in the layer \"empty\", or it is hidden or in defs: there must be at "
+              "least one, of three points or "
               "more");
     EXPECT_NE(refusal_of("").find("must end in .svg"), std::string::npos);
 }

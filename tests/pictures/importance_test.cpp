@@ -88,6 +88,9 @@ TEST(Importance, ThatIsSharpenedHasNoSolidRims) {
     for (std::size_t i = 0; i < tones.size(); ++i)
         EXPECT_LE(sharp[i], 1 - tones[i] / 2) << i;  // half of the light is left
     EXPECT_NEAR(sharp[40], 0.875, 1e-9);
+    for (double& tone : tones) tone = 1 - tone;
+    const Values inverted = importance(tones, {.invert = true, .sharpen = 4, .sharpen_amount = 10});
+    for (std::size_t i = 0; i < tones.size(); ++i) EXPECT_NEAR(inverted[i], sharp[i], 1e-9) << i;
 }
 
 TEST(Importance, OfAnUnderexposedPictureIsStretchedByAutoLevels) {

@@ -42,12 +42,12 @@ TEST(AMask, AllowsSamplesSomewhere) {
               "mask 2x2 of zeros: samples must be allowed somewhere: some value must not be 0");
 }
 
-TEST(AMask, IsForModeExact) {
+TEST(AMask, IsForModesExactAndPixels) {
     Request request = of_radius(0.1);
     request.mode = Mode::lines;
     const Mask mask{1, 1, {1}};
     request.mask = &mask;
-    EXPECT_EQ(refusal_of(request), "mask with mode lines: is for mode exact only");
+    EXPECT_EQ(refusal_of(request), "mask with mode lines: is for modes exact and pixels");
 }
 
 TEST(ABorder, LeavesRoomWithinIt) {

@@ -47,8 +47,8 @@ struct Tone {
     double gamma = 1;           // importance is raised to this power, > 0
     double min_importance = 0;  // lower importance is raised to this, 0 to 1
     // Before levels: adds `sharpen_amount` times the difference between luminance and its blur, the
-    // threefold mean over 2 sharpen + 1 pixels (unsharp mask), but leaves at least half of the
-    // luminance. At most 1000 pixels; 0: none.
+    // threefold mean over 2 sharpen + 1 pixels (unsharp mask). But pixels come at most half of
+    // the way to black or, with invert, to white. At most 1000 pixels; 0: none.
     std::uint32_t sharpen = 0;
     double sharpen_amount = 1;  // over 0, at most 100
     // Over 1, at most 1000: the field has stretches along the picture's edges, for mode exact.
