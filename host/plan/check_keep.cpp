@@ -129,7 +129,8 @@ private:
         return static_cast<std::uint64_t>(std::clamp(std::floor(length / side), 1.0, 0x1p30));
     }
     static std::uint64_t cell_of(double share, std::uint64_t cells) {
-        return std::min(static_cast<std::uint64_t>(share * static_cast<double>(cells)), cells - 1);
+        const double at = std::max(0.0, share * static_cast<double>(cells));
+        return at < static_cast<double>(cells) ? static_cast<std::uint64_t>(at) : cells - 1;
     }
     Point way_to(std::uint32_t index) const {
         return request_.domain.from_corner(request_.keep[index]);

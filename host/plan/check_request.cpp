@@ -219,14 +219,23 @@ void check_request(const Request& request) {
 CheckedRequest::CheckedRequest(const Request& request) : request_(request) {
     check_request(request);
     Classes& classes = request_.classes;
-    if (classes.names.empty()) return;
     std::optional<double>& size = request.field != nullptr ? request_.scale : request_.radius;
-    if (!size && !request.count) size = least_distance_of(classes);
-    if (classes.names.size() > 1) return;
-    request_.border = border_of(request, 0);
-    request_.mask = mask_of(request, 0);
-    classes = {};
-    request_.keep_classes = {};
+    if (!classes.names.empty() && !size && !request.count) size = least_distance_of(classes);
+    if (classes.names.size() == 1) {
+        request_.border = border_of(request, 0);
+        request_.mask = mask_of(request, 0);
+        classes = {};
+        request_.keep_classes = {};
+    }
+    sort_kept();
+}
+
+void CheckedRequest::sort_kept() {
+    const bool is_sorted = kept_ && kept_->has_radius;
+    if (is_sorted || Members(request_).are_all()) return;
+    kept_ = std::make_shared<const SortedKept>(sorted_kept(request_));
+    request_.keep = kept_->points;
+    request_.keep_classes = kept_->classes;
 }
 
 }  // namespace lacuna

@@ -1,6 +1,7 @@
 // Checks a request's mask and border.
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "base/number_text.h"
@@ -65,10 +66,15 @@ void check_where(const Request& request) {
     if (request.mask != nullptr) check_mask(*request.mask);
     check_border(request, request.border, shortest(request.border));
     check_places_of_classes(request);
-    for_each_polled(request.keep.size(), ask, [&](std::size_t i) { check_kept_place(request, i); });
-    if (request.count && !request.progressive && *request.count < request.keep.size())
+    const Members members(request);
+    std::uint64_t kept = 0;
+    for_each_polled(request.keep.size(), ask, [&](std::size_t i) {
+        check_kept(request, members, i);
+        kept += members.has(request.keep[i]) ? 1U : 0U;
+    });
+    if (request.count && !request.progressive && *request.count < kept)
         throw BadRequest("count", std::to_string(*request.count),
-                         "must be at least " + std::to_string(request.keep.size()) +
+                         "must be at least " + std::to_string(kept) +
                              ", the number of kept points, which count");
 }
 

@@ -4,7 +4,11 @@
 
 #include <lacuna/lacuna.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+
+#include "plan/kept.h"
 
 namespace lacuna {
 
@@ -24,15 +28,24 @@ public:
     CheckedRequest with(const Change& change) const {
         CheckedRequest changed = *this;
         change(changed.request_);
+        changed.sort_kept();
         return changed;
     }
+
+    // How many kept points lie in the domain, and so are points of the set. They are the first of
+    // Request::keep; those that follow lie outside, and none of them is farther from the domain
+    // than the greatest distance that two points keep.
+    std::size_t members() const { return kept_ ? kept_->members : request_.keep.size(); }
 
     const Request& operator*() const { return request_; }
     const Request* operator->() const { return &request_; }
     operator const Request&() const { return request_; }  // NOLINT(google-explicit-constructor)
 
 private:
+    void sort_kept();
+
     Request request_;
+    std::shared_ptr<const SortedKept> kept_;  // null: all lie in the domain
 };
 
 // Checks that a field has a value for each pixel, all finite and at least 0, one above 0. Throws

@@ -4,9 +4,38 @@
 #include <lacuna/lacuna.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace lacuna {
+
+// Which kept points are points of the set. If all lie in the domain, to which the upper edges of a
+// box belong, all are. If some lie outside, there are sets beside this one. Then points on the
+// upper edges are outside, too, because they lie in the domains of those sets.
+class Members {
+public:
+    explicit Members(const Request& request);
+    bool are_all() const { return are_all_; }
+    bool has(Point kept) const;
+
+private:
+    Domain domain_;
+    bool are_all_;
+};
+
+// The members in their order, then the kept points outside that a point of the domain may be too
+// close to. Without a radius, these are all.
+struct SortedKept {
+    std::vector<Point> points;
+    std::vector<std::uint8_t> classes;
+    std::size_t members = 0;
+    bool has_radius = false;
+};
+SortedKept sorted_kept(const Request& request);
+
+// Checks a point of Request::keep: it lies outside of a box, or where samples may lie. Throws
+// BadRequest.
+void check_kept(const Request& request, const Members& members, std::size_t index);
 
 // Checks that a point lies in the domain, to which the upper edges of a box belong, on a pixel
 // where samples may lie. A point within 2^-28 of

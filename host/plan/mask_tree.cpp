@@ -8,11 +8,56 @@ MaskTree::MaskTree(std::uint32_t columns, std::uint32_t rows) : columns_(columns
 }
 
 MaskTree::MaskTree(const Mask& mask, const Poll& poll) : MaskTree(mask.columns, mask.rows) {
-    set_root(from_pixels(mask, root_, 0, 0, poll));
+    const auto value_of = [&](std::uint32_t column, std::uint32_t row, std::uint32_t side) {
+        if (side > 1) return ALLOWED_SOME;
+        const std::size_t pixel = std::size_t{rows_ - 1 - row} * columns_ + column;
+        return mask.allowed[pixel] != 0 ? ALLOWED_ALL : ALLOWED_NONE;
+    };
+    set_root(build(root_, 0, 0, value_of, poll));
 }
 
-MaskTree::Piece MaskTree::from_pixels(const Mask& mask, unsigned shift, std::uint32_t column,
-                                      std::uint32_t row, const Poll& poll) {
+namespace {
+
+// The pixels of a tree before it was padded.
+struct Unpadded {
+    PixelRange pixels;
+    bool are_any;
+    bool are_all;  // no other pixels are among them
+};
+Unpadded unpadded(std::uint32_t begin, std::uint32_t end, std::uint32_t inner,
+                  const MaskTree::Padding& padding) {
+    const std::uint32_t low = padding.before, high = padding.before + inner * padding.split;
+    const std::uint32_t first = std::max(begin, low), last = std::min(end, high);
+    if (first >= last) return {{0, 0}, false, false};
+    return {{(first - low) / padding.split, (last - 1 - low) / padding.split},
+            true,
+            begin >= low && end <= high};
+}
+
+std::uint32_t padded(std::uint32_t inner, const MaskTree::Padding& padding) {
+    return padding.before + inner * padding.split + padding.behind;
+}
+
+}  // namespace
+
+MaskTree::MaskTree(const MaskTree& inner, const Padding& across, const Padding& up,
+                   const Poll& poll)
+    : MaskTree(padded(inner.columns(), across), padded(inner.rows(), up)) {
+    const auto value_of = [&](std::uint32_t column, std::uint32_t row, std::uint32_t side) {
+        const auto [columns, has_columns, only_columns] =
+            unpadded(column, std::min(column + side, columns_), inner.columns(), across);
+        const auto [rows, has_rows, only_rows] =
+            unpadded(row, std::min(row + side, rows_), inner.rows(), up);
+        if (!has_columns || !has_rows) return ALLOWED_NONE;
+        const std::uint32_t value = inner.over(columns, rows);
+        return value == ALLOWED_ALL && !(only_columns && only_rows) ? ALLOWED_SOME : value;
+    };
+    set_root(build(root_, 0, 0, value_of, poll));
+}
+
+template <class ValueOf>
+MaskTree::Piece MaskTree::build(unsigned shift, std::uint32_t column, std::uint32_t row,
+                                const ValueOf& value_of, const Poll& poll) {
     constexpr std::size_t kNodesBetweenPolls = kBetweenPolls / kSlots;
     if (++joined_ % kNodesBetweenPolls == 0) poll();
     std::array<Piece, kSlots> slots;
@@ -22,11 +67,8 @@ MaskTree::Piece MaskTree::from_pixels(const Mask& mask, unsigned shift, std::uin
             const std::uint32_t j = row + (y << shift);
             if (i >= columns_ || j >= rows_) continue;
             Piece& slot = slots[portable::slot_of(x, y, 0)];
-            if (shift > 0) {
-                slot = from_pixels(mask, shift - 2, i, j, poll);
-            } else if (mask.allowed[std::size_t{rows_ - 1 - j} * columns_ + i] != 0) {
-                slot.value = ALLOWED_ALL;
-            }
+            slot.value = value_of(i, j, 1U << shift);
+            if (slot.value == ALLOWED_SOME) slot = build(shift - 2, i, j, value_of, poll);
         }
     return join(shift, column, row, slots);
 }

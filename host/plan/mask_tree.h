@@ -35,6 +35,15 @@ public:
     MaskTree(std::uint32_t columns, std::uint32_t rows);
     explicit MaskTree(const Mask& mask, const Poll& poll = nobody_asks);
 
+    // A tree of which each pixel is cut into `split` equal ones along an axis, with pixels before
+    // and behind those on which no sample may lie.
+    struct Padding {
+        std::uint32_t split = 1;
+        std::uint32_t before = 0;
+        std::uint32_t behind = 0;
+    };
+    MaskTree(const MaskTree& inner, const Padding& across, const Padding& up, const Poll& poll);
+
     std::uint32_t columns() const { return columns_; }
     std::uint32_t rows() const { return rows_; }
     // The slots of the root are 2^root pixels wide.
@@ -65,8 +74,11 @@ private:
         unsigned shift;
     };
 
-    Piece from_pixels(const Mask& mask, unsigned shift, std::uint32_t column, std::uint32_t row,
-                      const Poll& poll);
+    // value_of(column, row, side) is the value of a square; if it is ALLOWED_SOME, the square is
+    // cut further.
+    template <class ValueOf>
+    Piece build(unsigned shift, std::uint32_t column, std::uint32_t row, const ValueOf& value_of,
+                const Poll& poll);
     Place child(Place at, std::uint32_t slot) const {
         const Node& node = nodes_[at.node];
         return {node.first + portable::rank_of_slot(node.values, slot), at.shift - 2};

@@ -15,6 +15,7 @@
 #include "plan/corner.h"
 #include "plan/first_boxes.h"
 #include "plan/make_plan.h"
+#include "plan/outside.h"
 #include "plan/plan.h"
 #include "plan/radius_field.h"
 #include "plan/sizes.h"
@@ -100,34 +101,41 @@ double greatest_of(const Request& request) {
     return greatest;
 }
 
-// The part of the domain inside the border. Distances from the edges are computed from the
-// coordinates that the user gets, which are rounded when the corner is added.
-RadiusField::Shape shape_of(const Request& request, double border, std::uint32_t width,
-                            std::uint32_t height, std::uint32_t last_on_sheet) {
-    const double unit_x = request.domain.width / width;
-    const double unit_y = request.domain.height / height;
-    const auto low = [&](double unit, double corner) {
-        auto at = static_cast<std::uint32_t>(border / unit);
-        while ((corner + at * unit) - corner < border) ++at;
-        return at;
+// The part of `own`, the request's domain, inside the border; `around` is the request with the
+// domain of the plan. Distances from the edges are computed from the coordinates that the user
+// gets, which are rounded when the corner is added.
+RadiusField::Shape shape_of(const Request& around, const Domain& own, double border,
+                            std::uint32_t width, std::uint32_t height,
+                            std::uint32_t last_on_sheet) {
+    const auto span_along = [border](double unit, std::uint32_t units, double corner,
+                                     double own_corner, double length) {
+        const auto way_to = [=](std::uint32_t at) { return (corner + at * unit) - own_corner; };
+        const double before = own_corner - corner;
+        auto low = static_cast<std::uint32_t>(
+            std::max(0.0, (before + border) / unit - (before > 0 ? 2 : 0)));
+        while (way_to(low) < border) ++low;
+        auto high = static_cast<std::uint32_t>(
+            std::min<double>(units, std::ceil((before + length - border) / unit) + 2));
+        while (high > 0 && (length - way_to(high - 1) < border ||
+                            corner + (high - 1) * unit >= own_corner + length))
+            --high;
+        return Span{low, high};
     };
-    const auto high = [&](double unit, std::uint32_t units, double length, double corner) {
-        auto at = static_cast<std::uint32_t>(
-            std::min<double>(units, std::ceil((length - border) / unit) + 2));
-        while (at > 0 && length - ((corner + (at - 1) * unit) - corner) < border) --at;
-        return at;
-    };
+    const Domain& all = around.domain;
+    const double unit_x = all.width / width, unit_y = all.height / height;
+    const Span x = span_along(unit_x, width, all.x0, own.x0, own.width);
+    const Span y = span_along(unit_y, height, all.y0, own.y0, own.height);
     return {width,
             height,
             unit_x,
             unit_y,
-            low(unit_x, request.domain.x0),
-            high(unit_x, width, request.domain.width, request.domain.x0),
-            low(unit_y, request.domain.y0),
-            high(unit_y, height, request.domain.height, request.domain.y0),
-            !request.keep.empty(),
+            x.begin,
+            x.end,
+            y.begin,
+            y.end,
+            !around.keep.empty(),
             last_on_sheet,
-            lost_at_corner(request.domain)};
+            lost_at_corner(all)};
 }
 
 // The radius of a kept point. It may lie on a pixel where no sample may, if that pixel's border is
@@ -149,9 +157,10 @@ std::uint32_t radius_of_kept(const RadiusField& radius_field, Sample at) {
 }
 
 // The coordinates rounded down, or up if no sample may lie there: then the point belongs to the
-// pixel on the other side.
+// pixel on the other side. Points behind the first `members` lie outside of the request's domain,
+// where all have one radius.
 std::vector<Sized> kept_on(const RadiusField& radius_field, const Sheets& sheets,
-                           const Request& request) {
+                           const Request& request, std::size_t members) {
     const std::uint32_t width = radius_field.shape().width;
     const std::uint32_t height = radius_field.shape().height;
     std::vector<Sized> kept;
@@ -167,11 +176,14 @@ std::vector<Sized> kept_on(const RadiusField& radius_field, const Sheets& sheets
         const std::uint32_t right = std::min(low.x + 1, width - 1);
         const std::uint32_t up = std::min(low.y + 1, height - 1);
         Sample found = low;
+        const bool is_member = kept.size() < members;
         for (const Sample near : {Sample{right, up}, Sample{low.x, up}, Sample{right, low.y}, low})
-            if (radius_field.radius_at(near.x, near.y) != 0) found = near;
+            if (is_member && radius_field.radius_at(near.x, near.y) != 0) found = near;
         const std::uint32_t sheet =
             sheets.are_several() ? request.keep_classes[kept.size()] : std::uint32_t{0};
-        kept.push_back({sheets.x_on(sheet, found.x), found.y, radius_of_kept(radius_field, found)});
+        kept.push_back(
+            {sheets.x_on(sheet, found.x), found.y,
+             is_member ? radius_of_kept(radius_field, found) : radius_field.least_radius()});
     }
     return kept;
 }
@@ -310,27 +322,30 @@ Plan make_radius_field_plan(const CheckedRequest& checked, const Poll& poll,
     const bool has_field = request.field != nullptr;
     const double scale = has_field ? *request.scale : *request.radius;
     const auto [least_radius, expected] = check_radius_field_size(request, scale, poll);
-    const double longer = request.domain.longer_side();
+    const Around outer = around_kept(request, poll);
+    const Request& around = outer.request;
+    const double longer = around.domain.longer_side();
     FieldPlan field;
     field.sheets = sheets_of(request);
     const double units = units_of(field.sheets);
     Plan plan;
-    plan.width = static_cast<std::uint32_t>(units * (request.domain.width / longer));
-    plan.height = static_cast<std::uint32_t>(units * (request.domain.height / longer));
+    plan.width = static_cast<std::uint32_t>(units * (around.domain.width / longer));
+    plan.height = static_cast<std::uint32_t>(units * (around.domain.height / longer));
     plan.lines = 1;
     plan.strip_width = plan.width;
     const auto field_of = [&](double border, const Mask* mask) {
         return std::make_shared<const RadiusField>(
             request.field, scale, mask,
-            shape_of(request, border, plan.width, plan.height, field.sheets.last()), poll);
+            shape_of(around, request.domain, border, plan.width, plan.height, field.sheets.last()),
+            poll);
     };
-    const bool are_alike = !has_own_places(request.classes);
-    field.radius_field = are_alike ? field_of(request.border, request.mask) : field_of(0, nullptr);
+    const bool are_alike = !has_own_places(around.classes);
+    field.radius_field = are_alike ? field_of(around.border, around.mask) : field_of(0, nullptr);
     PlacesOfClasses places;
     for (std::uint32_t i = 0; !are_alike && i < field.sheets.count(); ++i)
-        places.push_back(field_of(border_of(request, i), mask_of(request, i)));
+        places.push_back(field_of(border_of(around, i), mask_of(around, i)));
     check_lengths(request, *field.radius_field);
-    field.kept = kept_on(*field.radius_field, field.sheets, request);
+    field.kept = kept_on(*field.radius_field, field.sheets, around, checked.members());
     for (const Sample sample : samples)
         field.kept.push_back(
             {sample.x, sample.y, field.radius_field->radius_at(sample.x, sample.y)});
@@ -338,7 +353,8 @@ Plan make_radius_field_plan(const CheckedRequest& checked, const Poll& poll,
     plan.user_radius = least_radius;
     plan.user_scale = has_field ? scale : 0;
     const std::uint64_t limit = request.limit.value_or(std::numeric_limits<std::uint64_t>::max());
-    finish_plan(plan, request, limit - std::min<std::uint64_t>(limit, field.kept.size()), expected);
+    const std::uint64_t members = checked.members() + samples.size();
+    finish_plan(plan, around, limit - std::min(limit, members), expected);
     plan.of_mode = std::move(field);
     auto boxes = std::make_shared<const FirstBoxes>(first_boxes(plan, places));
     std::get<FieldPlan>(plan.of_mode).first_boxes = std::move(boxes);

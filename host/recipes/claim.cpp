@@ -25,6 +25,7 @@ Claim claim_of(const Request& request, const Result& result) {
     claim.classes = request.classes;
     claim.class_of_points = result.classes;
     claim.keep = request.keep;
+    claim.keep_classes = request.keep_classes;
     return claim;
 }
 

@@ -141,7 +141,8 @@ constexpr Row kRows[] = {
      "own radius"},
     {{"keep", "FILE", Kind::read_file, kPlaced},
      "Points that are there already: they come first, unmoved, and new points fill the space "
-     "around them"},
+     "around them. Points outside of the domain are no part of the set, but keep their distance: "
+     "give those of the chunks beside it"},
 
     // Dots of a picture
     {{"count", "N", Kind::whole, kStipple},
@@ -187,6 +188,9 @@ constexpr Row kRows[] = {
     {{"seeds", "A..B", Kind::text, kSample},
      "A set for each seed from A to B, both included; each goes to a file of its own: every "
      "--output has {seed} in its name. Instead of --seed"},
+    {{"frame", "D", Kind::number, kSample},
+     "With --seeds and --torus: all sets have the same points within D of the edges, so that any "
+     "of them fit side by side, as tiles; at least 1.5 times the greatest distance of two points"},
     {{"progressive", "", Kind::flag, kSample},
      "Orders the points so that the first n, for any n from 16 on, are spread as evenly as a set "
      "of n points. --count may then cut the sequence anywhere"},

@@ -83,6 +83,10 @@ constexpr Pairs kPairs[] = {
     {kSample | kRelax, "gaussian-distance", Needs::one_of, "gaussian",
      "is a distance of its steps"},
     {kSample, "seeds", Needs::none_of, "seed", "must be one of both"},
+    {kSample, "frame", Needs::one_of, "seeds", "is what the sets of several seeds share"},
+    {kSample, "frame", Needs::one_of, "torus", "is for tiles, whose edges wrap"},
+    {kSample, "frame", Needs::none_of, "count limit progressive keep mode=lines mode=stratified",
+     "tiles are maximal sets of one radius that begin with the points of the frame"},
 
     // Inks and sizes of dots
     {kStipple, "black-ink ink-counts", Needs::one_of, "inks", "is for a picture in inks"},

@@ -73,11 +73,15 @@ Outcome generate(const Plan& plan, Backend& backend, Observer& observer) {
     return outcome;
 }
 
-void begin_points(const Request& request, std::size_t expected, Result& result) {
-    result.points.reserve(request.keep.size() + expected);
+void begin_points(const CheckedRequest& request, std::size_t expected, Result& result) {
+    const std::span<const Point> kept = request->keep.first(request.members());
+    const std::span<const std::uint8_t> classes = request->keep_classes;
+    const std::span<const std::uint8_t> of_kept =
+        classes.first(std::min(classes.size(), kept.size()));
+    result.points.reserve(kept.size() + expected);
     ask_for_large_pages(result.points.data(), result.points.capacity());
-    result.points.assign(request.keep.begin(), request.keep.end());
-    result.classes.assign(request.keep_classes.begin(), request.keep_classes.end());
+    result.points.assign(kept.begin(), kept.end());
+    result.classes.assign(of_kept.begin(), of_kept.end());
 }
 
 void append_points(const Plan& plan, std::span<const Sample> samples, Workers& workers,

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "backends/backend.h"
+#include "plan/checked_request.h"
 #include "plan/plan.h"
 #include "rounds/round.h"
 
@@ -25,9 +26,10 @@ Run run_on_backend(const Request& request, const Plan& plan, Observer& observer)
 Run run_on_backend(const Request& request, const Plan& plan, Observer& observer,
                    const TakeSamples& take);
 
-// The points of a result: the kept ones first, with room for `expected` more; then samples of a
-// plan, each with its class if there are classes. cut_points leaves out all but the first `count`.
-void begin_points(const Request& request, std::size_t expected, Result& result);
+// The points of a result: the kept ones of the domain first, with room for `expected` more; then
+// samples of a plan, each with its class if there are classes. cut_points leaves out all but the
+// first `count`.
+void begin_points(const CheckedRequest& request, std::size_t expected, Result& result);
 void append_points(const Plan& plan, std::span<const Sample> samples, Workers& workers,
                    Result& result);
 void cut_points(std::size_t count, Result& result);

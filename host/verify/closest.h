@@ -30,8 +30,8 @@ constexpr double kHopeless = 1e-6;
 // any pair if they coincide.
 // If a ratio is below `hopeless`, another pair may be returned. Samples are taken from the largest
 // radius down until a pair of them has such a ratio; the closest pair of these is returned.
-// All samples must lie in the domain, and all radii are positive. Never compares all pairs, however
-// crowded the samples are and whatever their radii.
+// All samples must lie in a torus, anywhere beside a box, and all radii are positive. Never
+// compares all pairs, however crowded the samples are and whatever their radii.
 Pair closest_pair(const Domain& domain, std::span<const Disk> samples,
                   const Patience& patience = {}, double hopeless = 0);
 

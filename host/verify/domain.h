@@ -47,10 +47,14 @@ struct Domain {
         return is_inside && (!torus || (p.x < right && p.y < top));
     }
 
-    // A point of the domain as gaps, pixels and polygons are searched: the corner is its (0, 0).
-    // Distances of points are computed from the points as given instead.
+    // A point as gaps, pixels and polygons are searched: the domain's corner is its (0, 0). In the
+    // domain no way is longer than the sides. Distances of points are computed from the points as
+    // given instead.
     Point from_corner(Point p) const {
-        return {std::min(p.x - x0, width), std::min(p.y - y0, height)};
+        const auto along = [](double at, double low, double side) {
+            return at <= low + side ? std::min(at - low, side) : at - low;
+        };
+        return {along(p.x, x0, width), along(p.y, y0, height)};
     }
 
     // The distance of two coordinates along a side, around a torus' edges.

@@ -34,7 +34,8 @@ struct Gap {
 //   - If `over` is more than `tolerance`, no spot is farther over its limit than `over`, with a
 //     relative error of kGapPrecision or an error of kFinest of the longer side.
 //   - Otherwise no spot is over by more than `tolerance`, with an error of kFinest of the side.
-// All samples must lie in the domain. Where every spot is covered, any spot is returned.
+// All samples must lie in the domain or, if it is a box, near it. Where every spot is covered, any
+// spot is returned.
 Gap largest_gap(const RadiusField& radius_field, std::span<const Disk> samples, double tolerance,
                 const Patience& patience = {});
 

@@ -17,6 +17,7 @@
 #include "verify/closest.h"
 #include "verify/ellipse_samples.h"
 #include "verify/largest_gap.h"
+#include "verify/neighbours.h"
 #include "verify/radius_field.h"
 #include "verify/verify.h"
 
@@ -24,9 +25,14 @@ namespace lacuna {
 namespace verify {
 namespace {
 
-std::optional<std::size_t> first_moved(std::span<const Point> points, std::span<const Point> kept) {
-    for (std::size_t i = 0; i < kept.size(); ++i)
-        if (i >= points.size() || points[i] != kept[i]) return i;
+std::optional<std::size_t> first_moved(std::span<const Point> points, const Claim& claim) {
+    const Outside outside(claim);
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < claim.keep.size(); ++i) {
+        if (outside.has(claim.keep[i])) continue;
+        if (place >= points.size() || points[place] != claim.keep[i]) return i;
+        ++place;
+    }
     return std::nullopt;
 }
 
@@ -44,15 +50,21 @@ struct Samples {
     std::vector<Disk> most;
 };
 
-// Stops at the first point that lies where no point may, and sets proof.forbidden.
-Samples samples_of(std::span<const Point> points, const Claim& claim, const Fields& fields,
-                   Proof& proof) {
+// Stops at the first point that lies where no point may, and sets proof.forbidden. Points behind
+// the first `members` are neighbours, which may lie anywhere and all have one radius.
+Samples samples_of(std::span<const Point> points, std::size_t members, const Claim& claim,
+                   const Fields& fields, Proof& proof) {
     Samples samples;
     samples.least.reserve(points.size());
     samples.most.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         const RadiusField& radius_field = fields.of_sample(claim, i);
         const Point from_corner = radius_field.domain().from_corner(points[i]);
+        if (i >= members) {
+            samples.least.push_back({points[i], radius_field.least_radius()});
+            samples.most.push_back({from_corner, radius_field.least_radius()});
+            continue;
+        }
         const auto found = radius_field.radii_of_sample(from_corner);
         if (const auto* closed = std::get_if<Proof::Closed>(&found)) {
             proof.forbidden = i;
@@ -117,10 +129,11 @@ void prove_uniform(std::span<const Point> points, const Claim& claim, const Doma
         });
 }
 
-void prove_on_field(std::span<const Point> points, const Claim& claim, const Fields& fields,
-                    double tolerance, const Patience& patience, Proof& proof) {
+void prove_on_field(std::span<const Point> points, std::size_t members, const Claim& claim,
+                    const Fields& fields, double tolerance, const Patience& patience,
+                    Proof& proof) {
     const Domain& domain = fields.any().domain();
-    const Samples samples = samples_of(points, claim, fields, proof);
+    const Samples samples = samples_of(points, members, claim, fields, proof);
     if (proof.forbidden) return;
     const bool has_classes = !claim.classes.names.empty();
     ask(
@@ -166,6 +179,38 @@ double size_of(const Claim& claim) {
     return size > 0 || claim.classes.names.empty() ? size : least_distance(claim.classes);
 }
 
+// The points of a set, and its neighbours behind them.
+class WithNeighbours {
+public:
+    WithNeighbours(std::span<const Point> points, const Claim& claim)
+        : claim_(claim), count_(points.size()), neighbours_(neighbours_of(claim)), all_(points) {
+        if (neighbours_.points.empty()) return;
+        joined_.assign(points.begin(), points.end());
+        joined_.insert(joined_.end(), neighbours_.points.begin(), neighbours_.points.end());
+        all_ = joined_;
+        if (claim.classes.names.empty()) return;
+        classes_.assign(claim.class_of_points.begin(), claim.class_of_points.end());
+        for (const std::size_t place : neighbours_.places)
+            classes_.push_back(claim.keep_classes[place]);
+        claim_.class_of_points = classes_;
+    }
+    std::span<const Point> points() const { return all_; }
+    const Claim& claim() const { return claim_; }
+
+    // The number that the proof has for a point.
+    std::size_t number_of(std::size_t point) const {
+        return point < count_ ? point : count_ + neighbours_.places[point - count_];
+    }
+
+private:
+    Claim claim_;
+    std::size_t count_;
+    Neighbours neighbours_;
+    std::vector<Point> joined_;
+    std::span<const Point> all_;
+    std::vector<std::uint8_t> classes_;
+};
+
 }  // namespace
 }  // namespace verify
 
@@ -177,7 +222,7 @@ Proof prove(std::span<const Point> points, const Claim& claim,
     check_claim(claim, points.size(), tolerance);
     Proof proof;
     proof.tolerance = tolerance;
-    proof.moved = first_moved(points, claim.keep);
+    proof.moved = first_moved(points, claim);
     if (proof.moved) return proof;
     const verify::Domain domain = domain_of(claim.domain);
     const Field one_pixel{1, 1, {1}};
@@ -194,12 +239,18 @@ Proof prove(std::span<const Point> points, const Claim& claim,
     if (radius_field.has_ellipses()) check_longest_ellipse(claim, radius_field.most_radius());
     proof.outside = first_outside(points, domain);
     if (proof.outside) return proof;
+    const WithNeighbours all(points, claim);
     if (is_uniform(claim)) {
-        prove_uniform(points, claim, domain, tolerance, patience, proof);
+        prove_uniform(all.points(), claim, domain, tolerance, patience, proof);
     } else if (radius_field.has_ellipses()) {
         prove_on_ellipses(points, claim, radius_field, tolerance, patience, proof);
     } else {
-        prove_on_field(points, claim, fields, tolerance, patience, proof);
+        prove_on_field(all.points(), points.size(), all.claim(), fields, tolerance, patience,
+                       proof);
+    }
+    if (all.points().size() > 1) {
+        proof.first = all.number_of(proof.first);
+        proof.second = all.number_of(proof.second);
     }
     proof.maximal =
         proof.kept && proof.covered && tolerance <= kMostTolerance * radius_field.least_radius();

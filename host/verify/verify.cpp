@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "verify/neighbours.h"
+
 namespace lacuna::verify {
 namespace {
 
@@ -171,6 +173,29 @@ void check_classes(const Claim& claim, std::size_t points) {
                 "must be less than " + std::to_string(count) + ", the number of classes");
 }
 
+void check_neighbours(const Claim& claim) {
+    const Outside outside(claim);
+    const auto is_one = [&](Point kept) { return outside.has(kept); };
+    const auto first = std::find_if(claim.keep.begin(), claim.keep.end(), is_one);
+    if (first == claim.keep.end()) return;
+    if (!std::isfinite(first->x) || !std::isfinite(first->y) || claim.field != nullptr)
+        throw BadRequest("keep",
+                         "point " + std::to_string(first - claim.keep.begin()) + " at (" +
+                             text(first->x) + ", " + text(first->y) + ")",
+                         claim.field != nullptr ? "with a field must lie in the domain"
+                                                : "must be finite numbers");
+    const std::size_t count = claim.classes.names.size();
+    if (count != 0 && claim.keep_classes.size() != claim.keep.size())
+        throw BadRequest("keep", std::to_string(claim.keep.size()) + " points",
+                         "with classes each needs a class, but " +
+                             std::to_string(claim.keep_classes.size()) + " have one");
+    for (const std::uint8_t kind : claim.keep_classes)
+        if (count != 0 && kind >= count)
+            throw BadRequest(
+                "keep", "class " + std::to_string(kind),
+                "must be less than " + std::to_string(count) + ", the number of classes");
+}
+
 }  // namespace
 
 double least_distance(const Classes& classes) {
@@ -198,6 +223,7 @@ void check_claim(const Claim& claim, std::size_t points, double tolerance) {
         check_positive("radius", claim.radius);
     }
     check_classes(claim, points);
+    check_neighbours(claim);
     // Without gaps to look for, a uniform set needs no tolerance.
     if (!is_uniform(claim) || !claim.distances_only) check_at_least_0("tolerance", tolerance);
     check_places(claim);
@@ -228,7 +254,7 @@ bool is_uniform(const Claim& claim) {
 }
 
 double tolerance_of(const Claim& claim) {
-    const double units = claim.domain.longer_side() * 0x1p-28;
+    const double units = neighbours_of(claim).longer_side * 0x1p-28;
     if (!claim.tolerance && !claim.classes.distances.empty()) {
         const std::vector<double> shares = shares_of(claim);
         const std::size_t count = claim.classes.names.size();

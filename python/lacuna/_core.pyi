@@ -61,8 +61,11 @@ def sample(
     keep_classes: Bytes | None,
     progress: Progress | None,
 ) -> dict[str, Any]: ...
+class TileFrame: ...
+
+def tile_frame(options: Options, seed: int, width: float) -> TileFrame: ...
 def sample_many(
-    options: Options, seeds: list[int], progress: Progress | None
+    options: Options, seeds: list[int], frame: TileFrame | None, progress: Progress | None
 ) -> list[dict[str, Any]]: ...
 def stipple(
     picture: Picture,
@@ -85,6 +88,7 @@ def verify(
     mask: Mask | None,
     polygons: list[list[PolygonSet]],
     keep: Floats | None,
+    keep_classes: Bytes | None,
     class_of: Bytes | None,
 ) -> dict[str, Any]: ...
 def analyze(

@@ -79,7 +79,7 @@ def verdict(
     points: Floats,
     domain: Extent,
     wrong: list[int],
-    pair: tuple[tuple[int, int], bool] | None,
+    pair: tuple[Floats, bool] | None,
     gap: tuple[tuple[float, float], float, bool] | None,
 ) -> Axes:
     """Draws points, those where none may lie, the closest pair, and the largest gap with its
@@ -93,7 +93,7 @@ def verdict(
             ax.plot(*points[one], "x", color=_WRONG, label=f"point {one}")
     if pair is not None:
         color = "black" if pair[1] else _WRONG
-        ax.plot(*points[list(pair[0])].T, ".-", color=color, label="closest pair")
+        ax.plot(*pair[0].T, ".-", color=color, label="closest pair")
     if gap is not None:
         color = "black" if gap[2] else _WRONG
         ax.add_patch(Circle(gap[0], gap[1], color=color, fill=False, label="largest gap"))

@@ -126,7 +126,8 @@ def sample(
     keep : array_like, shape (N, 2), optional
         Points that are there already. They come first, unmoved, and new points keep their distance
         from them. Each must lie where points may lie, and keep its distance from the others. They
-        count for ``n`` and ``limit``.
+        count for ``n`` and ``limit``. Those outside of a domain without ``torus`` are no points of
+        the set, but new points keep their distance from them: give those of the sets beside it.
     classes : dict of str to float, optional
         Points of several kinds: the radius of each by its name, or a radius and a weight, which
         says how often the class is drawn. Then give no ``radius`` or ``scale``; with ``n`` the
@@ -295,7 +296,9 @@ def sample(
     if borders.are_radii:
         said["inside_by_radius"] = made["_promised"]["inside_by_radius"] = True
     if kept is not None:
-        said["kept"] = len(kept)
+        said["kept"] = made["_promised"]["kept"]
+        if said["kept"] < len(kept):
+            said["neighbours"] = len(kept) - said["kept"]
     if made["relaxed"] is not None:
         said["relax"] = asked["relax"]
     if asked["gaussian"]:
@@ -323,6 +326,7 @@ class More(TypedDict, total=False):
     device: int | str | None
     threads: Whole
     memory_limit: Whole | None
+    frame: SupportsFloat | None
     progress: Progress | Literal[True] | None
 
 
@@ -364,6 +368,9 @@ def sample_many(
         uniform_x, round_size, backend, device and threads, as for ``sample``; memory_limit, which
         is for each set; and progress, which is called with the number of sets that are done and the
         number of all sets, for an iterator with the number of seeds that have been read.
+        frame, with torus: all sets have the points within this distance of the edges in common,
+        those of the first seed. So any of them fit side by side, as tiles. At least 1.5 times the
+        greatest distance of two points, and under half of the domain's shorter side.
 
     Returns
     -------
@@ -394,6 +401,8 @@ def sample_many(
             raise TypeError(f"sample_many() got an unexpected keyword argument {name!r}")
     kinds = classes_of(more.pop("classes", None), more.pop("between", "sum"))
     progress = more.pop("progress", None)
+    frame = more.pop("frame", None)
+    width = None if frame is None else real("frame", frame)
     if isinstance(seeds, (str, bytes)) or not isinstance(seeds, Iterable):
         raise TypeError(f"seeds must be an iterable of int, not {shown(seeds)}")
     usual = {"backend": "auto", "threads": 0, "round_size": 0}
@@ -406,8 +415,8 @@ def sample_many(
         expected = _number_of(seeds)
         _refuse_more_sets(expected, asked.get("n", 1))
     else:
-        _core.sample_many(asked, [], None)  # refuses the request now, not with the first set
-    sets = _made(asked, seeds, expected, progress)
+        _core.sample_many(asked, [], None, None)  # refuses the request now, not with the first set
+    sets = _made(asked, seeds, expected, width, progress)
     return sets if isinstance(seeds, Iterator) else list(sets)
 
 
@@ -415,6 +424,7 @@ def _made(
     asked: dict[str, Any],
     seeds: Iterable[Whole],
     expected: int | None,
+    width: float | None,
     progress: Progress | Literal[True] | None,
 ) -> Iterator[PointSet]:
     """Samples once for each seed.
@@ -424,6 +434,7 @@ def _made(
     batch has twice as many, up to _MOST_POINTS_AHEAD points.
     """
     remaining = iter(seeds)
+    frame = None
     done, size = 0, 1 if expected is None else _MOST_SETS_AHEAD
     with watched(progress) as told:
 
@@ -433,11 +444,14 @@ def _made(
 
         while batch := [whole("seeds", seed, 0, MOST_64) for seed in islice(remaining, size)]:
             started = time.perf_counter()
-            all_made = _core.sample_many(asked, batch, count_on if told else None)
+            if width is not None and frame is None:
+                frame = _core.tile_frame(asked, batch[0], width)
+            all_made = _core.sample_many(asked, batch, frame, count_on if told else None)
             total = time.perf_counter() - started
             for made in all_made:
                 made["seconds"] = {"total": total / len(batch)}
-                yield PointSet(**set_attributes(made))
+                said = {} if width is None else {"frame": width, "kept": made["_promised"]["kept"]}
+                yield PointSet(**set_attributes(made, **said))
             done += len(batch)
             points = sum(len(made["points"]) for made in all_made)
             if expected is None and 2 * points <= _MOST_POINTS_AHEAD:

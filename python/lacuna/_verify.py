@@ -54,7 +54,8 @@ class Verdict:
         or 'border'. Nothing else is then looked at.
     closest_pair, least_distance : tuple of int or None, float
         The indices of the closest two points, and their distance: infinite for fewer than two
-        points. With a field, the pair whose distance is smallest relative to its limit.
+        points. A point of ``keep`` outside of the domain has the index ``len(points)`` plus its
+        place in ``keep``. With a field, the pair whose distance is smallest relative to its limit.
     least_limit : float or None
         The limit of these two points.
     largest_gap, largest_gap_distance : tuple of float or None, float or None
@@ -68,8 +69,8 @@ class Verdict:
         As claimed; with a field radius is the least of all radii.
     scale : float or None
         With a field the radius where importance is 1, as claimed.
-    points, domain : ndarray, shape (N, 2); tuple of float
-        The set that was looked at, and its width and height.
+    points, keep, domain : ndarray, shape (N, 2); ndarray, shape (K, 2); tuple of float
+        The set that was looked at, the points to keep, and its width and height.
     """
 
     holds: bool
@@ -91,6 +92,7 @@ class Verdict:
     tolerance: float
     scale: float | None
     points: Floats = field(repr=False)
+    keep: Floats = field(repr=False)
     domain: Extent = field(repr=False)
     reason: str
 
@@ -116,13 +118,14 @@ class Verdict:
         wrong = [one for one in (self.outside, self.moved, self.forbidden) if one is not None]
         pair = gap = None
         if self.closest_pair is not None:
-            pair = (self.closest_pair, bool(self.kept))
+            both = np.vstack([self.points, self.keep])[list(self.closest_pair)]
+            pair = (both, bool(self.kept))
         if self.largest_gap is not None and self.largest_gap_distance is not None:
             gap = (self.largest_gap, self.largest_gap_distance, bool(self.covered))
         return _plots.verdict(ax, self.points, self.domain, wrong, pair, gap)
 
 
-def _reason(found: dict[str, Any], is_meant_to_be_maximal: bool) -> str:
+def _reason(found: dict[str, Any], count: int, is_meant_to_be_maximal: bool) -> str:
     """Why a claim does not hold, or nothing."""
     if found["outside"] is not None:
         return f"point {found['outside']} lies outside of the domain"
@@ -131,7 +134,9 @@ def _reason(found: dict[str, Any], is_meant_to_be_maximal: bool) -> str:
     if found["forbidden"] is not None:
         return f"point {found['forbidden']} lies where {found['forbidden_by']} allows none"
     if not found["kept"]:
-        first, second = found["closest_pair"]
+        first, second = (
+            f"{one}" if one < count else f"{one - count} of keep" for one in found["closest_pair"]
+        )
         return (
             f"points {first} and {second} are {found['least_distance']:.6g} "
             f"apart, less than their limit {found['least_limit']:.6g}"
@@ -190,6 +195,7 @@ def verify(
     border: Border | None = None,
     inside_by_radius: bool | None = None,
     keep: npt.ArrayLike | None = None,
+    keep_classes: Iterable[object] | None = None,
     classes: ClassSizes | None = None,
     between: str | npt.ArrayLike = "sum",
     class_of: Iterable[object] | None = None,
@@ -230,8 +236,11 @@ def verify(
         As of ``sample``: no point may be closer to the domain's edges, nor to the outlines of
         ``inside`` and ``outside``. By default a PointSet's own.
     keep : array_like, shape (N, 2), optional
-        The first of the points must be equal to these, to the last bit. By default those that a
-        PointSet has kept.
+        The first of the points must be equal to these, to the last bit. Those outside of the domain
+        are no points of the set, but distances to them are checked, and they cover spots. By
+        default those that a PointSet has kept.
+    keep_classes : iterable of str or int, optional
+        As of ``sample``; needed for points of ``keep`` outside of the domain.
     classes, between
         As of ``sample``: each two classes have a least distance, and no spot may be left where a
         point of any class with a weight has room. By default a PointSet's own.
@@ -330,19 +339,26 @@ def verify(
         distances_only=distances_only,
     )
     asked.update(kinds | borders.options)
-    kept = array[: own["kept"]] if own.get("kept") and keep is None else None
+    kept, of_kept = np.empty((0, 2)), None
     if keep is not None:
         kept = points_array("keep", keep)
+        names = keep._names_of_points() if isinstance(keep, PointSet) and kinds else None
+        of_kept = classes_of_points("keep_classes", keep_classes, names, kinds, kept)
+    elif own:
+        kept = np.vstack([array[: own["kept"]], own["neighbours"]])
+        if isinstance(points, PointSet) and points.class_of is not None:
+            of_kept = np.concatenate([points.class_of[: own["kept"]], own["of_neighbours"]])
     if kinds and class_of is None and of_points is None:
         raise BadRequest("class_of missing: give the class of each point", "class_of")
     numbers = classes_of_points("class_of", class_of, of_points, kinds, array)
     sets = sets_on(asked, places, borders.each, borders.are_radii)
-    found = _core.verify(array, asked, importance, allowed, sets, kept, numbers)
+    found = _core.verify(array, asked, importance, allowed, sets, kept, of_kept, numbers)
     shown_points = array.view()
     shown_points.flags.writeable = False
     return Verdict(
-        reason=_reason(found, not own.get("distances_only")),
+        reason=_reason(found, len(array), not own.get("distances_only")),
         points=shown_points,
+        keep=kept,
         domain=asked["domain"],
         **found,
     )

@@ -63,7 +63,7 @@ Claim asked_claim(const nb::dict& given) {
 }
 
 // The attributes of a Verdict, None where nothing is known.
-nb::dict verdict_of(const Proof& proof, const Claim& claim, std::size_t points) {
+nb::dict verdict_of(const Proof& proof, const Claim& claim) {
     nb::dict found;
     const bool in_place = !proof.outside && !proof.moved && !proof.forbidden;
     const bool gaps_known = in_place && !claim.distances_only;
@@ -78,12 +78,13 @@ nb::dict verdict_of(const Proof& proof, const Claim& claim, std::size_t points) 
     found["moved"] = or_none(proof.moved);
     found["forbidden"] = or_none(proof.forbidden);
     found["forbidden_by"] = known(proof.forbidden.has_value(), name_of(proof.forbidden_by));
-    const bool has_pair = in_place && points > 1;
+    // Neighbours count, too.
+    const bool has_pair = in_place && std::isfinite(proof.least_distance);
     found["closest_pair"] = known(has_pair, std::pair(proof.first, proof.second));
     found["least_distance"] =
         has_pair ? proof.least_distance : std::numeric_limits<double>::infinity();
     found["least_limit"] = known(has_pair, proof.least_limit);
-    const bool has_gap = gaps_known && points > 0;
+    const bool has_gap = gaps_known && std::isfinite(proof.largest_gap_distance);
     found["largest_gap"] = known(has_gap, std::pair(proof.largest_gap.x, proof.largest_gap.y));
     found["largest_gap_distance"] = known(has_gap, proof.largest_gap_distance);
     found["largest_gap_limit"] = known(has_gap, proof.largest_gap_limit);
@@ -105,20 +106,23 @@ nb::dict verdict_of(const Proof& proof, const Claim& claim, std::size_t points) 
 nb::dict verify_points(const PointArray& array, const nb::dict& given, const Field* field,
                        const Mask* mask, const nb::list& polygons,
                        const std::optional<PointArray>& keep,
+                       const std::optional<ClassArray>& keep_classes,
                        const std::optional<ClassArray>& class_of) {
     std::vector<PolygonSets> sets = polygons_of_classes(polygons);
     Claim claim = asked_claim(given);
     std::vector<Point> kept;
-    std::vector<std::uint8_t> of_points;
+    std::vector<std::uint8_t> of_points, of_kept;
     const auto work = [&](const std::atomic<bool>& stop) {
         if (keep) kept = points_of(*keep);
         if (class_of) of_points = classes_of(*class_of);
+        if (keep_classes) of_kept = classes_of(*keep_classes);
         claim.field = field;
         claim.mask = mask;
         claim.polygons = sets.front().copy();
         for (PolygonSets& one : sets)
             if (sets.size() > 1) claim.polygons_of_classes.push_back(one.copy());
         claim.keep = kept;
+        claim.keep_classes = of_kept;
         claim.class_of_points = of_points;
         return prove(points_of(array), claim, [&] { return !stop; });
     };
@@ -130,7 +134,7 @@ nb::dict verify_points(const PointArray& array, const nb::dict& given, const Fie
     } else {
         proof = in_background(work);
     }
-    return verdict_of(proof, claim, array.shape(0));
+    return verdict_of(proof, claim);
 }
 
 // Adds the rings as three arrays. Anisotropy is NaN where power is 0.
@@ -185,7 +189,7 @@ nb::dict analyze_sets(const nb::list& arrays, const nb::dict& given_options, nb:
 
 void add_judging(nb::module_& module) {
     module.def("verify", verify_points, nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(),
-               nb::arg(), nb::arg().none(), nb::arg().none());
+               nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg().none());
     module.def("analyze", analyze_sets, nb::arg(), nb::arg(), nb::arg().none());
 }
 

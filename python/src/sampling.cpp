@@ -22,6 +22,7 @@
 #include "arrays.h"
 #include "options.h"
 #include "parts.h"
+#include "plan/kept.h"
 #include "plan/sheets.h"
 #include "polygon_sets.h"
 #include "recipes/settle.h"
@@ -69,7 +70,18 @@ nb::dict promises_of(const Claim& claim) {
     promised["borders"] = claim.classes.borders;
     promised["distances_only"] = claim.distances_only;
     promised["weights"] = claim.classes.weights;
-    promised["kept"] = claim.keep.size();
+    const Members members({.domain = claim.domain, .keep = claim.keep});
+    const auto is_inside = [&](Point point) { return members.has(point); };
+    promised["kept"] = std::count_if(claim.keep.begin(), claim.keep.end(), is_inside);
+    std::vector<Point> neighbours;
+    std::vector<std::uint8_t> of_neighbours;
+    for (std::size_t i = 0; i < claim.keep.size(); ++i) {
+        if (is_inside(claim.keep[i])) continue;
+        neighbours.push_back(claim.keep[i]);
+        if (!claim.keep_classes.empty()) of_neighbours.push_back(claim.keep_classes[i]);
+    }
+    promised["neighbours"] = array_of(std::move(neighbours));
+    promised["of_neighbours"] = array_of(std::move(of_neighbours));
     promised["has_mask"] = claim.mask != nullptr || !claim.classes.masks.empty();
     promised["has_field"] = claim.field != nullptr;
     promised["has_ellipses"] = claim.field != nullptr && !claim.field->stretches.empty();
@@ -222,12 +234,26 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* ma
     return made;
 }
 
+// The points that all tiles share.
+TileFrame tile_frame(const nb::dict& given, std::uint64_t seed, double width) {
+    Request request = request_of(given);
+    settle(given, {}, request);
+    request.seed = seed;
+    Watch watch(nb::none());
+    const nb::gil_scoped_release no_gil;
+    return frame_of(request, width, watch);
+}
+
 // Returns the attributes of a PointSet for each seed.
 nb::list sample_many_points(const nb::dict& given, const std::vector<std::uint64_t>& seeds,
-                            nb::object progress) {
+                            const std::optional<TileFrame>& frame, nb::object progress) {
     refuse_pairs(given);
     Request request = request_of(given);
     settle(given, {}, request);
+    if (frame) {
+        request.keep = frame->points;
+        request.keep_classes = frame->classes;
+    }
     Watch watch(std::move(progress));
     std::vector<Result> results;
     {
@@ -309,7 +335,10 @@ void add_sampling(nb::module_& module) {
     module.def("ellipse_field", field_of_ellipses);
     module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg(),
                nb::arg().none(), nb::arg().none(), nb::arg().none());
-    module.def("sample_many", sample_many_points, nb::arg(), nb::arg(), nb::arg().none());
+    nb::class_<TileFrame>(module, "TileFrame");
+    module.def("tile_frame", tile_frame);
+    module.def("sample_many", sample_many_points, nb::arg(), nb::arg(), nb::arg().none(),
+               nb::arg().none());
     module.def("relax", relax_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none());
     module.def("threshold_mask", ranks_of_mask);
     module.def("progressive_order", order_points, nb::arg(), nb::arg().none(), nb::arg());

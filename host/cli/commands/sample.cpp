@@ -54,6 +54,7 @@ Examples:
   lacuna sample --keep trees.csv --radius 0.02 -o more.csv   fills the space around given points
   lacuna sample --class trees:0.03 --class grass:0.006 -o wood.csv   kinds of points
   lacuna sample --count 256 --torus --seeds 0..999 -o 'tiles/{seed}.npy'   a thousand small tiles
+  lacuna sample --radius 0.05 --torus --frame 0.1 --seeds 0..199 -o 't/{seed}.csv'   any two fit
 )";
 
 struct SampleCommand {
@@ -63,6 +64,7 @@ struct SampleCommand {
     recipes::Given given;
     recipes::Moves moves;  // the iterations as `given` says
     std::optional<SeedRange> seeds;
+    std::optional<double> frame;
     bool ellipse_columns = false;
 };
 
@@ -91,7 +93,7 @@ void run(const CommandLine& line, SampleCommand all) {
     const Showing showing{all.ellipse_columns, all.domain.ellipses.are_given()};
     if (all.seeds) {
         sample_seeds(line, options, all.drawing, outputs, *all.seeds,
-                     {json_of(all.domain, request, files), showing});
+                     {json_of(all.domain, request, files), showing, all.frame});
         return;
     }
     const drawing::Style style = style_of(all.drawing, request.domain);
@@ -124,9 +126,7 @@ void run(const CommandLine& line, SampleCommand all) {
     write_set(writing, all.drawing, outputs, set.points(), style, [&] {
         return set.diameters(moves_points ? drawing::Spread::even : drawing::Spread::random);
     });
-    const std::size_t kept = request.keep.size();
-    sum_up(options, outputs, made, "point",
-           kept == 0 ? "" : ", " + std::to_string(kept) + " of them kept");
+    sum_up(options, outputs, made, "point", words_of_kept(request));
 }
 
 void take_seeds(const std::string& text, std::optional<SeedRange>& seeds) {
@@ -136,6 +136,7 @@ void take_seeds(const std::string& text, std::optional<SeedRange>& seeds) {
 // Where the value of each option goes.
 Targets targets_of(SampleCommand& all) {
     Targets targets{{"seeds", take_by<take_seeds>(all.seeds)},
+                    {"frame", &all.frame},
                     {"mode", &all.given.mode},
                     {"relax", &all.given.relax},
                     {"ellipse-columns", &all.ellipse_columns}};

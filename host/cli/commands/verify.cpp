@@ -58,7 +58,8 @@ is to cover it. The pair and the spot that are printed are the worst ones, compa
 No point may lie, and no spot need be covered, where the field is white, where --mask is black,
 outside of --inside, and within --border of an edge. The outline of --inside may be off by --edge
 either way. With any of these the default T is twice as large. Pictures, polygons and the domain are
-read as by lacuna sample. The points of --keep must be the first of the set, to the last bit.
+read as by lacuna sample. The points of --keep must be the first of the set, to the last bit. Those
+outside of the domain are its neighbours: distances to them are checked, and they cover spots.
 
 Exit code: 0 all that was asked holds, 1 not, 2 bad usage, 3 the file cannot be read, 4 the system
 makes no threads.
@@ -131,6 +132,15 @@ Extremes radii_of(const Request& request) {
     return radii;
 }
 
+// The classes of the points to keep. They were not read yet if the classes are those of a .json,
+// and matter only to neighbours.
+std::vector<std::uint8_t> classes_of_keep(const Request& request, const DomainFiles& files,
+                                          const std::string& path) {
+    if (!files.keep_classes.empty() || kept_inside(request) == request.keep.size())
+        return files.keep_classes;
+    return classes_in(files::read_sets(path), request.classes, files::name_of(path));
+}
+
 SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& given,
                   const files::SetsOfFile& file, std::span<const Point> points,
                   const std::string& name) {
@@ -151,7 +161,10 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& 
     // What a .json says that it kept comes first in it.
     claim.keep = request.keep.empty() ? points.first(kept_in(file)) : request.keep;
     claim.classes = request.classes;
-    if (!claim.classes.names.empty()) claim.own_classes = classes_in(file, claim.classes, name);
+    if (!claim.classes.names.empty()) {
+        claim.own_classes = classes_in(file, claim.classes, name);
+        claim.classes_of_keep = classes_of_keep(request, given.files, options.domain.keep);
+    }
     claim.rings = rings_of(request, given.files);
     claim.kinds = given.files.kinds;
     claim.clearances = clearances_of(claim.options, request, given.files);
@@ -240,6 +253,7 @@ void run(const CommandLine& line, const VerifyCommand& options) {
         if (claim.sets.size() > 1)
             claim.polygons_of_classes.assign(claim.sets.begin(), claim.sets.end());
         claim.class_of_points = claim.own_classes;
+        claim.keep_classes = claim.classes_of_keep;
         claim.proof = prove(claim.points, claim);
         if (claim.holds()) claim.fault = fault_in_levels(claim);
         all_hold = all_hold && claim.holds();

@@ -22,6 +22,7 @@
 #include "files/read_sets.h"
 #include "files/read_whole.h"
 #include "pictures/importance.h"
+#include "plan/kept.h"
 #include "plan/sheets.h"
 #include "plan/sizes.h"
 #include "sampling/on_pixels.h"
@@ -302,6 +303,19 @@ void read_domain_files(const CommandLine& line, const DomainOptions& options, Re
     }
 }
 
+std::size_t kept_inside(const Request& request) {
+    const Members members(request);
+    const auto is_inside = [&](const Point& point) { return members.has(point); };
+    return static_cast<std::size_t>(
+        std::count_if(request.keep.begin(), request.keep.end(), is_inside));
+}
+
+std::string words_of_kept(const Request& request) {
+    const std::size_t kept = kept_inside(request), neighbours = request.keep.size() - kept;
+    return (kept == 0 ? "" : fmt::format(", {} of them kept", kept)) +
+           (neighbours == 0 ? "" : fmt::format(", beside {} kept outside", neighbours));
+}
+
 Json json_of(const DomainOptions& options, const Request& request, const DomainFiles& files) {
     Json json = Json::object();
     json.update(json_of(options.ellipses));
@@ -321,7 +335,10 @@ Json json_of(const DomainOptions& options, const Request& request, const DomainF
     json.update(json_of(request.classes));
     if (request.border != 0) json["border"] = request.border;
     if (options.inside_by_radius) json["inside_by_radius"] = true;
-    if (!options.keep.empty()) json.update({{"keep", options.keep}, {"kept", files.keep.size()}});
+    if (options.keep.empty()) return json;
+    const std::size_t kept = kept_inside(request);
+    json.update({{"keep", options.keep}, {"kept", kept}});
+    if (kept < files.keep.size()) json["neighbours"] = files.keep.size() - kept;
     return json;
 }
 

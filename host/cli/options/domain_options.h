@@ -158,6 +158,11 @@ double edge_of(const DomainOptions& options, const Request& request,
 void read_domain_files(const CommandLine& line, const DomainOptions& options, Request& request,
                        DomainFiles& files);
 
+// How many of the kept points lie in the domain. The others are neighbours of the set.
+std::size_t kept_inside(const Request& request);
+// Both numbers, for the line that sums up a run; empty if there are none.
+std::string words_of_kept(const Request& request);
+
 // The options as JSON, for reports and for files that hold the origin of a set.
 nlohmann::ordered_json json_of(const DomainOptions& options, const Request& request,
                                const DomainFiles& files);
@@ -169,9 +174,9 @@ std::vector<double> dots_of(const Request& request, std::span<const Point> point
 // What a .json says of the options that its set was made with, for `lacuna verify`: values are used
 // where no option is given, and files are asked for.
 
-// Throws BadUsage if the set in `file` was made with a picture, polygons or obstacles that
-// the command was not given, or with another tone of the field. For distances alone only ellipses
-// are needed. `name` stands for the file.
+// Throws BadUsage if the set in `file` was made with a picture, polygons, obstacles or neighbours
+// that the command was not given, or with another tone of the field. For distances alone only
+// ellipses are needed. `name` stands for the file.
 void ask_for_files(const CommandLine& line, const DomainOptions& options, bool distances_only,
                    const files::SetsOfFile& file, const std::string& name);
 

@@ -59,6 +59,7 @@ void ask_for_files(const CommandLine& line, const DomainOptions& options, bool d
         if (row->names_a_file() && !row->is_argument() && row->name != "keep")
             ask_for(row->key(), row->name);
     ask_for("image", "field");  // of stipple
+    if (number_of(file, "neighbours").value_or(0) > 0) ask_for("keep", "keep");
     if (options.field.path.empty()) return;
     Picture any;
     const Targets readings = targets_of(any);  // of the options that say how a picture is read

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "cli/options/domain_options.h"
 #include "cli/options/given_files.h"
 #include "cli/reports/made_set.h"
 #include "cli/reports/output.h"
@@ -100,7 +101,7 @@ void add(ManyMade& all, Result set) {
     all.last = std::move(set);
 }
 
-void sum_up(const CommonOptions& options, const ManyMade& all) {
+void sum_up(const CommonOptions& options, const ManyMade& all, const Request& request) {
     if (options.quiet || is_standard_output(options.report)) return;
     std::string paths;
     for (const std::string& path : options.output.paths)
@@ -112,9 +113,9 @@ void sum_up(const CommonOptions& options, const ManyMade& all) {
         maximal = ", not maximal";
     else if (all.maximal < all.sets)
         maximal = fmt::format(", {} of them maximal", all.maximal);
-    const std::string summary = fmt::format("{} set{} of {} points{}, {:.3f} s, {} -> {}", all.sets,
-                                            all.sets == 1 ? "" : "s", counts, maximal, all.seconds,
-                                            all.last.backend, paths);
+    const std::string summary = fmt::format(
+        "{} set{} of {} points{}{}, {:.3f} s, {} -> {}", all.sets, all.sets == 1 ? "" : "s", counts,
+        words_of_kept(request), maximal, all.seconds, all.last.backend, paths);
     std::fputs((printable(summary) + "\n").c_str(), stderr);
 }
 
@@ -169,6 +170,9 @@ void sample_seeds(const CommandLine& line, const CommonOptions& options,
     std::iota(all.begin(), all.end(), seeds.first);
 
     Interruption interruption;
+    Request shared = options.request;
+    nlohmann::ordered_json decides = all_sets.options;
+    TileFrame frame;
     ManyMade made;
     made.first_seed = seeds.first;
     made.last_seed = seeds.last;
@@ -177,12 +181,20 @@ void sample_seeds(const CommandLine& line, const CommonOptions& options,
         DriverAtWork driver(options.request.place.backend);
         Sets bar(options.quiet);
         Observers observers({driver, bar});
+        if (all_sets.frame) {
+            shared.seed = seeds.first;
+            frame = frame_of(shared, *all_sets.frame, driver);
+            shared.keep = frame.points;
+            shared.keep_classes = frame.classes;
+            decides["frame"] = *all_sets.frame;
+            decides["kept"] = frame.points.size();
+        }
         sample_many(
-            options.request, all,
+            shared, all,
             [&](std::uint64_t seed, Result set) {
-                Request request = options.request;
+                Request request = shared;
                 request.seed = seed;
-                const files::Origin origin = origin_of(line, request, set, all_sets.options);
+                const files::Origin origin = origin_of(line, request, set, decides);
                 Writing writing(interruption);
                 const MadeSet files(request, set, origin, all_sets.showing);
                 write_set(writing, drawing, outputs_of_seed(outputs, seed), files.points(), style,
@@ -198,9 +210,9 @@ void sample_seeds(const CommandLine& line, const CommonOptions& options,
                     made.points / made.sets, style);
     Writing writing(interruption);
     if (!options.report.empty())
-        writing.add(options.report, [&] { return many_report(options.request, made); });
+        writing.add(options.report, [&] { return many_report(shared, made, decides); });
     writing.write();
-    sum_up(options, made);
+    sum_up(options, made, shared);
 }
 
 }  // namespace lacuna::cli

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ std::vector<Output> checked_outputs(const CommonOptions& options, SeedRange seed
 struct AllSets {
     nlohmann::ordered_json options;  // merged into the options of their origin
     Showing showing;
+    std::optional<double> frame{};  // the width of what they share, if they are tiles
 };
 
 // Makes the sets and writes each to `outputs`, as checked_outputs gives them. Every file has the

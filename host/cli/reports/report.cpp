@@ -97,8 +97,9 @@ std::string report_of(const Request& request, const Made& made, const Json& more
     return text_of(report);
 }
 
-std::string many_report(const Request& request, const ManyMade& made) {
+std::string many_report(const Request& request, const ManyMade& made, const Json& decides) {
     Json asked = json_of(request, made.last);
+    asked.update(decides);
     asked.erase("seed");
     asked["seeds"] = {{"first", made.first_seed}, {"last", made.last_seed}};
     return text_of({{"program", "lacuna"},

@@ -50,7 +50,7 @@ struct ManyMade {
     Result last;                // the last set, without its points
     double seconds = 0;         // with the time to write files
 };
-std::string many_report(const Request& request, const ManyMade& made);
+std::string many_report(const Request& request, const ManyMade& made, const Json& decides);
 
 // The report of `lacuna relax`.
 std::string relax_report(const Json& request, const Made& made, const Json& more);

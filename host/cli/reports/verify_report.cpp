@@ -12,6 +12,7 @@
 #include "cli/reports/report.h"
 #include "cli/terminal/run_program.h"
 #include "plan/corner.h"
+#include "verify/neighbours.h"
 #include "verify/verify.h"
 
 namespace lacuna::cli {
@@ -25,10 +26,26 @@ std::string text(const Point& point) {
     return fmt::format("({}, {})", point.x, point.y);
 }
 
+// A point of the set, or of --keep outside of it, as in "point 3" and "point 5 of FILE".
+std::string named(const SetClaim& claim, std::size_t index) {
+    if (index < claim.points.size()) return fmt::format("{}", index);
+    return fmt::format("{} of {}", index - claim.points.size(), printable(claim.options.keep));
+}
+
 std::string numbered(const SetClaim& claim, std::size_t index) {
-    const std::string at = fmt::format("{} at {}", index, text(claim.points[index]));
+    const std::size_t count = claim.points.size();
+    const bool is_own = index < count;
+    const std::string at =
+        fmt::format("{} at {}", named(claim, index),
+                    text(is_own ? claim.points[index] : claim.keep[index - count]));
     if (claim.own_classes.empty()) return at;
-    return fmt::format("{}, of class {},", at, claim.classes.names[claim.own_classes[index]]);
+    const auto kind = is_own ? claim.own_classes[index] : claim.keep_classes[index - count];
+    return fmt::format("{}, of class {},", at, claim.classes.names[kind]);
+}
+
+// The points of the set and its neighbours.
+std::size_t all_points(const SetClaim& claim) {
+    return claim.points.size() + verify::neighbours_of(claim).points.size();
 }
 
 // The border of each class, or that of all; empty if there is none.
@@ -47,15 +64,15 @@ bool has_limits(const Claim& claim) {
 }
 
 std::string closest(const SetClaim& claim) {
-    if (claim.points.size() < 2) return "none, for want of two points";
+    if (all_points(claim) < 2) return "none, for want of two points";
     const Proof& proof = claim.proof;
     return fmt::format("{}{} (points {} and {})", proof.least_distance,
                        has_limits(claim) ? fmt::format(" of {}", proof.least_limit) : "",
-                       proof.first, proof.second);
+                       named(claim, proof.first), named(claim, proof.second));
 }
 
 std::string largest_gap(const SetClaim& claim) {
-    if (claim.points.empty()) return "anywhere, for want of a point";
+    if (all_points(claim) == 0) return "anywhere, for want of a point";
     const Proof& proof = claim.proof;
     // With a field, mask, polygons or border, the search ends when it knows that all spots are
     // covered. It does not know then which gap is the largest.
@@ -70,6 +87,14 @@ std::string radius(const SetClaim& claim) {
     const auto [least, most] = claim.radii;
     if (most == 0) return fmt::format("scale {}, and no place for a point", claim.scale);
     return fmt::format("{} to {}, at scale {}", least, most, claim.scale);
+}
+
+// How many of the kept points are neighbours.
+std::string outside_of(const SetClaim& claim) {
+    const verify::Outside outside(claim);
+    const auto count = std::count_if(claim.keep.begin(), claim.keep.end(),
+                                     [&](Point point) { return outside.has(point); });
+    return count == 0 ? "" : fmt::format(", {} of them outside of the domain", count);
 }
 
 // The rows about where points may lie.
@@ -93,7 +118,8 @@ std::string places(const SetClaim& claim) {
     append_polygons("avoid", given.avoid);
     if (const std::string border = borders(claim); !border.empty()) append("border", border);
     if (!given.keep.empty())
-        append("kept", fmt::format("{}, {} points", printable(given.keep), claim.keep.size()));
+        append("kept", fmt::format("{}, {} points", printable(given.keep), claim.keep.size()) +
+                           outside_of(claim));
     return rows;
 }
 
@@ -246,18 +272,19 @@ Json json_of_one(const SetClaim& claim) {
     if (proof.moved || proof.forbidden) return json;
     json["distances_kept"] = proof.kept;
     json["closest_pair"] = nullptr;
-    if (claim.points.size() >= 2)
+    const std::size_t points = all_points(claim);
+    if (points >= 2)
         json["closest_pair"] = {{"points", {proof.first, proof.second}},
                                 {"distance", proof.least_distance}};
-    if (claim.points.size() >= 2 && !verify::is_uniform(claim))
+    if (points >= 2 && !verify::is_uniform(claim))
         json["closest_pair"]["limit"] = proof.least_limit;
     if (claim.distances_only) return json;
     json["covered"] = proof.covered;
     json["largest_gap"] = nullptr;
-    if (!claim.points.empty() && (verify::is_uniform(claim) || !proof.covered))
+    if (points != 0 && (verify::is_uniform(claim) || !proof.covered))
         json["largest_gap"] = {{"at", json_of(proof.largest_gap)},
                                {"distance", proof.largest_gap_distance}};
-    if (!claim.points.empty() && !verify::is_uniform(claim) && !proof.covered)
+    if (points != 0 && !verify::is_uniform(claim) && !proof.covered)
         json["largest_gap"]["limit"] = proof.largest_gap_limit;
     if (!claim.classes.names.empty() && json["largest_gap"].is_object())
         json["largest_gap"]["class"] = claim.classes.names[proof.largest_gap_class];

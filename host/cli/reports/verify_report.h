@@ -33,6 +33,7 @@ struct SetClaim : Claim {
     std::vector<Clearances> clearances;           // of each class, or of all
     std::vector<std::vector<PolygonSet>> sets;    // the same, once the claim has its place
     std::vector<std::uint8_t> own_classes;        // of the points
+    std::vector<std::uint8_t> classes_of_keep;    // of the points to keep
     Proof proof;
     std::vector<Level> levels;  // of a progressive order
     std::string fault;          // of the first level that does not hold, or empty

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 namespace LACUNA_API lacuna {
 
@@ -28,5 +29,22 @@ using TakeSet = std::function<void(std::uint64_t seed, Result set)>;
 void sample_many(const Request& request, std::span<const std::uint64_t> seeds, const TakeSet& take);
 void sample_many(const Request& request, std::span<const std::uint64_t> seeds, const TakeSet& take,
                  Observer& observer);
+
+// What all tiles of one request have in common.
+struct TileFrame {
+    std::vector<Point> points{};
+    std::vector<std::uint8_t> classes{};  // with classes, of each point
+};
+
+// The points of sample(request) that lie within `width` of the edges of the domain, a torus. Where
+// Request::keep and keep_classes have them, the sets of any seeds are tiles: in whatever order they
+// lie side by side, without gaps and unturned, all of them together are one maximal set. The field,
+// mask and radius must be the same for all.
+// The width is at least 1.5 times the greatest radius, or greatest distance of two classes: then
+// what differs from tile to tile is too far from the edges to matter beyond them. It is under half
+// of the shorter side. Throws what sample() throws; BadRequest, too, for a width out of this range,
+// and for a box, kept points, a count, a limit, a progressive order and other modes than exact.
+TileFrame frame_of(const Request& request, double width);
+TileFrame frame_of(const Request& request, double width, Observer& observer);
 
 }  // namespace lacuna

@@ -178,6 +178,10 @@ struct Request {
     // and samples keep their distance from them as from each other. Each must lie in the domain or
     // on a box's edge, where samples may lie, and keep its distance from the others. They count for
     // limit and count. They must outlive the call.
+    // Those that lie outside of a box, such as the points of sets beside it, are no points of the
+    // result. But samples keep their distance from them, and the result is maximal beside them. If
+    // there are such points, those on the upper edges are outside, too. Not with a field or a
+    // progressive order.
     std::span<const Point> keep{};
     // With classes the class of each kept point: its place in Classes::names.
     std::span<const std::uint8_t> keep_classes{};

@@ -31,7 +31,10 @@
 //     polygons by as much.
 //   - With classes the limit of two points, or of a point and a spot for one more point of a class,
 //     is multiplied by the distance of their two classes, as a share of the least one.
-//   - Points to keep are the first of the set, in their order, and equal to the last bit.
+//   - Points to keep are the first of the set, in their order, and equal to the last bit. Those
+//   that
+//     lie outside of a box are its neighbours instead: they are no points of the set, but distances
+//     to them must be kept, and they cover spots.
 //   - Gaps, pixels and polygons are searched with the domain's corner as (0, 0). `largest_gap` is
 //     rounded to doubles when the corner is added.
 //   - The work grows nearly linearly with the number of points, however crowded they are.
@@ -58,7 +61,8 @@ struct Claim {
 
     // How far over the radius a gap may be. If unset, it is 2^-28 of the longer side, which is more
     // than sample() may lose by rounding the radius up. With a field, mask, polygons, border or
-    // kept points it is twice as much, because these are rounded too.
+    // kept points it is twice as much, because these are rounded too. With neighbours the longer
+    // side is that of the box around the domain and the neighbours that matter.
     std::optional<double> tolerance{};
     bool distances_only = false;  // gaps are not looked for, which takes most of the time
 
@@ -85,11 +89,15 @@ struct Claim {
     // masks of the classes count as in Request.
     std::vector<std::span<const PolygonSet>> polygons_of_classes{};
 
-    // The points that the set begins with, equal to the bit. They must outlive the call.
+    // As in Request: the points that the set begins with, equal to the bit, and its neighbours,
+    // which lie outside of a box; these not with a field. They must outlive the call.
     std::span<const Point> keep{};
+    // With classes and neighbours, the class of each of these points.
+    std::span<const std::uint8_t> keep_classes{};
 };
 
-// What was found. Points are numbered from 0, in the order given.
+// What was found. Points are numbered from 0, in the order given. A neighbour has the number of
+// points plus its place in Claim::keep.
 struct Proof {
     // The first point outside the domain. The far edges belong to a box, and not to a torus. If
     // there is such a point, only `moved` was looked at besides.

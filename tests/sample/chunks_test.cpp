@@ -1,0 +1,355 @@
+// Chunks: sets beside sets. Kept points outside of the domain keep their distance and cover spots,
+// so that chunk after chunk, in any order, makes one maximal set.
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+#include <lacuna/many.h>
+#include <lacuna/verify.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "backends/radius_field_requests.h"
+#include "refusal.h"
+
+namespace chunks_test {
+
+using namespace lacuna;
+using Random = std::mt19937_64;
+
+// Points with their classes, which have none or all one.
+struct Joined {
+    std::vector<Point> points;
+    std::vector<std::uint8_t> classes;
+
+    void add(const Result& set, Point by = {0, 0}) {
+        for (const Point& at : set.points) points.push_back({at.x + by.x, at.y + by.y});
+        classes.insert(classes.end(), set.classes.begin(), set.classes.end());
+    }
+};
+
+Request chunk_of(const Request& request, const Domain& domain, const Joined& kept) {
+    Request chunk = request;
+    chunk.domain = domain;
+    chunk.keep = kept.points;
+    chunk.keep_classes = kept.classes;
+    return chunk;
+}
+
+Proof proof_of(const Request& request, const Result& set) {
+    return prove(set.points, claim_of(request, set));
+}
+
+// A user's computation: distances of all pairs, and places taken at random.
+class Judge {
+public:
+    Judge(const Joined& set, const Classes& classes, double radius)
+        : set_(set), classes_(classes), radius_(radius) {}
+
+    std::size_t conflicts() const {
+        std::vector<std::size_t> order(set_.points.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return set_.points[a].x < set_.points[b].x;
+        });
+        std::size_t conflicts = 0;
+        for (std::size_t i = 0; i < order.size(); ++i)
+            for (std::size_t j = i + 1; j < order.size(); ++j) {
+                const Point a = set_.points[order[i]], b = set_.points[order[j]];
+                if (b.x - a.x >= greatest()) break;
+                conflicts += distance(a, b) < limit(kind_of(order[i]), kind_of(order[j]));
+            }
+        return conflicts;
+    }
+    // Spots of the rectangle where a point of some class has room.
+    std::size_t gaps(Random& random, const Domain& domain, int spots) const {
+        std::size_t gaps = 0;
+        std::uniform_real_distribution<double> share;
+        for (int k = 0; k < spots; ++k) {
+            const Point spot =
+                domain.at({share(random) * domain.width, share(random) * domain.height});
+            for (std::size_t kind = 0; kind < count(); ++kind) gaps += has_room(spot, kind);
+        }
+        return gaps;
+    }
+
+private:
+    std::size_t count() const { return std::max<std::size_t>(classes_.names.size(), 1); }
+    std::size_t kind_of(std::size_t point) const {
+        return set_.classes.empty() ? 0 : set_.classes[point];
+    }
+    double limit(std::size_t a, std::size_t b) const {
+        return classes_.names.empty() ? radius_ : classes_.distances[a * count() + b];
+    }
+    double greatest() const {
+        return classes_.names.empty()
+                   ? radius_
+                   : *std::max_element(classes_.distances.begin(), classes_.distances.end());
+    }
+    static double distance(Point a, Point b) {
+        const double dx = a.x - b.x, dy = a.y - b.y;
+        return std::sqrt(dx * dx + dy * dy);
+    }
+    bool has_room(Point spot, std::size_t kind) const {
+        for (std::size_t i = 0; i < set_.points.size(); ++i)
+            if (distance(spot, set_.points[i]) < limit(kind_of(i), kind) + 1e-6) return false;
+        return true;
+    }
+
+    const Joined& set_;
+    const Classes& classes_;
+    double radius_;
+};
+
+Request uniform(double radius) {
+    Request request;
+    request.radius = radius;
+    request.place.backend = "cpu";
+    return request;
+}
+
+Request of_classes() {
+    Request request;
+    request.classes.names = {"trees", "bushes", "grass"};
+    request.classes.distances = distances_by_sum(std::vector{0.06, 0.03, 0.012});
+    request.place.backend = "cpu";
+    return request;
+}
+
+// 3 x 3 chunks in random order. Each keeps the points of all that were made before, and is proven;
+// in the end all are one set.
+void expect_one_set(const Request& request, std::uint64_t seed) {
+    Random random(seed);
+    std::vector<int> order(9);
+    std::iota(order.begin(), order.end(), 0);
+    std::shuffle(order.begin(), order.end(), random);
+    const Domain all{3, 1.5, Boundary::box, -7, 100};
+    Joined joined;
+    for (const int chunk : order) {
+        const Domain domain{1, 0.5, Boundary::box, all.x0 + chunk % 3, all.y0 + chunk / 3 * 0.5};
+        Request one = chunk_of(request, domain, joined);
+        one.seed = random();
+        const Result set = sample(one);
+        ASSERT_TRUE(set.maximal);
+        const Proof proof = proof_of(one, set);
+        EXPECT_TRUE(proof.maximal) << "chunk " << chunk;
+        joined.add(set);
+    }
+    Claim claim;
+    claim.domain = all;
+    claim.radius = request.radius.value_or(0);
+    claim.classes = request.classes;
+    claim.class_of_points = joined.classes;
+    claim.tolerance = 2 * 0x1p-27 * 4 * 3;  // of the chunks, with classes of greater distances
+    EXPECT_TRUE(prove(joined.points, claim).maximal);
+    const Judge judge(joined, request.classes, claim.radius);
+    EXPECT_EQ(judge.conflicts(), 0U);
+    EXPECT_EQ(judge.gaps(random, all, 3000), 0U);
+}
+
+TEST(ChunkAfterChunk, MakesOneMaximalSetInAnyOrder) {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) expect_one_set(uniform(0.04), seed);
+    expect_one_set(uniform(0.45), 6);  // nearly as wide as a chunk
+}
+
+TEST(ChunkAfterChunk, MakesOneMaximalSetOfClasses) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) expect_one_set(of_classes(), seed);
+}
+
+TEST(ChunkAfterChunk, NeedsOnlyThePointsWithinTheGreatestDistance) {
+    for (const Request& request : {uniform(0.05), of_classes()}) {
+        Random random(3);
+        Request first = request;
+        first.domain = {1, 1, Boundary::box, -1, 0};
+        Joined all;
+        all.add(sample(first));
+        Joined near;
+        const double reach = request.radius.value_or(0.12);
+        for (std::size_t i = 0; i < all.points.size(); ++i) {
+            if (all.points[i].x < -reach) continue;
+            near.points.push_back(all.points[i]);
+            if (!all.classes.empty()) near.classes.push_back(all.classes[i]);
+        }
+        ASSERT_LT(near.points.size(), all.points.size() / 2);
+        const Domain domain{1, 1};
+        EXPECT_EQ(sample(chunk_of(request, domain, near)).points,
+                  sample(chunk_of(request, domain, all)).points);
+        // Without any of these the set is that without kept points.
+        Joined far;
+        for (const Point& point : all.points)
+            if (point.x < -reach) far.points.push_back(point);
+        far.classes.resize(request.classes.names.empty() ? 0 : far.points.size());
+        EXPECT_EQ(sample(chunk_of(request, domain, far)).points,
+                  sample(chunk_of(request, domain, {})).points);
+    }
+}
+
+// A chunk beside two others, with points of its own that are kept.
+class AChunk : public testing::Test {
+protected:
+    AChunk() {
+        Request first = uniform(0.05);
+        first.domain = {1, 1, Boundary::box, -1, 0};
+        // The second lies on the edge of both domains, and belongs to the one on its right.
+        kept_.points = {{0.5, 0.5}, {0, 0.25}};
+        kept_.add(sample(chunk_of(first, first.domain, kept_)));
+    }
+    Request request() const { return chunk_of(uniform(0.05), {1, 1}, kept_); }
+
+    Joined kept_;
+};
+
+TEST_F(AChunk, BeginsWithTheKeptPointsOfTheDomainAndHasNoOthers) {
+    const Result set = sample(request());
+    EXPECT_EQ(set.points[0], (Point{0.5, 0.5}));
+    EXPECT_EQ(set.points[1], (Point{0, 0.25}));
+    for (const Point& point : set.points) EXPECT_TRUE(Domain{}.holds(point));
+    EXPECT_EQ(std::count(kept_.points.begin(), kept_.points.end(), Point{0, 0.25}), 1);
+    EXPECT_TRUE(proof_of(request(), set).maximal);
+}
+
+TEST_F(AChunk, OfALimitOrACountHasAsManyPointsOfItsOwn) {
+    Request limited = request();
+    limited.limit = 7;
+    const Result seven = sample(limited);
+    EXPECT_EQ(seven.points.size(), 7U);
+    EXPECT_FALSE(seven.maximal);
+    Request counted = request();
+    counted.radius.reset();
+    counted.count = 300;
+    const Result set = sample(counted);
+    EXPECT_EQ(set.points.size(), 300U);
+    EXPECT_LT(set.radius, 0.05);
+    EXPECT_TRUE(proof_of(counted, set).kept);
+    counted.count = 1;  // two are kept
+    EXPECT_EQ(tests::refusal_of([&] { sample(counted); }),
+              "count 1: must be at least 2, the number of kept points, which count");
+}
+
+TEST_F(AChunk, MayBeFullFromTheBeginning) {
+    Request full = uniform(1.5);
+    const std::vector<Point> around{{-0.1, 0.5}};
+    full.keep = around;
+    const Result set = sample(full);
+    EXPECT_TRUE(set.points.empty());
+    EXPECT_TRUE(set.maximal);
+    const Proof proof = proof_of(full, set);
+    EXPECT_TRUE(proof.kept && proof.covered);
+}
+
+TEST_F(AChunk, IsRefutedWithoutANeighbourThatCoversASpot) {
+    const Result set = sample(request());
+    std::size_t refuted = 0;
+    for (std::size_t i = 0; i < kept_.points.size(); ++i) {
+        if (kept_.points[i].x >= 0) continue;
+        std::vector<Point> fewer = kept_.points;
+        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+        Claim claim = claim_of(request(), set);
+        claim.keep = fewer;
+        const Proof proof = prove(set.points, claim);
+        EXPECT_TRUE(proof.kept);
+        refuted += !proof.covered;
+    }
+    EXPECT_GT(refuted, 3U);
+}
+
+TEST_F(AChunk, IsRefutedWithANeighbourMovedNearer) {
+    const Result set = sample(request());
+    const auto is_left = [](Point a, Point b) { return a.x < b.x; };
+    const Point leftmost = *std::min_element(set.points.begin() + 2, set.points.end(), is_left);
+    std::vector<Point> moved = kept_.points;
+    moved.push_back({-0.001, leftmost.y});
+    ASSERT_LT(leftmost.x, 0.04);
+    Claim claim = claim_of(request(), set);
+    claim.keep = moved;
+    const Proof proof = prove(set.points, claim);
+    EXPECT_FALSE(proof.kept);
+    EXPECT_EQ(proof.second, set.points.size() + moved.size() - 1);
+    ASSERT_LT(proof.first, set.points.size() + moved.size());
+}
+
+TEST_F(AChunk, RefusesWhatCannotBeKeptOutside) {
+    const auto refusal = [&](Point point, const auto& change) {
+        Request request = uniform(0.05);
+        const std::vector<Point> keep{point};
+        request.keep = keep;
+        change(request);
+        return tests::refusal_of([&] { sample(request); });
+    };
+    const Field field{2, 1, {1, 2}};
+    const auto nothing = [](Request&) {};
+    EXPECT_EQ(refusal({-0.5, 0.5}, nothing), "accepted");
+    EXPECT_EQ(refusal({-1e300, 0.5}, nothing), "accepted");
+    EXPECT_EQ(refusal({-0.5, 0.5}, [](Request& r) { r.domain.boundary = Boundary::torus; }),
+              "keep point 0 at (-0.5, 0.5): must lie in the domain, [0, 1) x [0, 1)");
+    EXPECT_EQ(refusal({-0.5, 0.5},
+                      [&](Request& r) {
+                          r.field = &field;
+                          r.scale = r.radius;
+                          r.radius.reset();
+                      }),
+              "keep point 0 at (-0.5, 0.5): with a field must lie in the domain, [0, 1] x [0, 1]");
+    EXPECT_EQ(refusal({-0.5, 0.5}, [](Request& r) { r.progressive = true; }),
+              "keep point 0 at (-0.5, 0.5): with a progressive order must lie in the domain, "
+              "[0, 1] x [0, 1]");
+    EXPECT_EQ(refusal({-std::numeric_limits<double>::infinity(), 0.5}, nothing),
+              "keep point 0 at (-inf, 0.5): must lie in the domain, [0, 1] x [0, 1]");
+}
+
+TEST_F(AChunk, RefusesNeighboursThatAreTooCloseToEachOther) {
+    kept_.points.push_back({-0.01, 0.3});
+    kept_.points.push_back({-0.02, 0.3});
+    EXPECT_NE(tests::refusal_of([&] { sample(request()); }).find("must be at least 0.05"),
+              std::string::npos);
+}
+
+// Random domains at random corners, radii from a hundredth of a side to more than a diagonal, with
+// masks and borders.
+TEST(RandomChunks, AreProvenAndEqualTheReference) {
+    Random random(20111);
+    const auto in = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    for (std::uint32_t i = 0; i < 300; ++i) {
+        Request request = uniform(0.1);
+        Domain& domain = request.domain;
+        domain.width = in(0.3, 1);
+        domain.height = in(0.3, 1);
+        const double diagonal = std::hypot(domain.width, domain.height);
+        request.radius = std::exp(in(std::log(0.02), std::log(diagonal)));
+        if (i % 3 == 0) domain.x0 = in(-1e4, 1e4);
+        if (i % 3 == 0) domain.y0 = in(-1e4, 1e4);
+        if (i % 4 == 0) request.border = in(0, 0.1);
+        const Mask mask = i % 2 == 0 ? tests::noise_mask(1 + i % 7, 1 + i % 5, random())
+                                     : tests::chess_mask(1 + i % 90, 2 + i % 70);
+        if (i % 5 < 2) request.mask = &mask;
+        // The ring around the domain, filled at the same radius.
+        Request ring = uniform(*request.radius);
+        ring.domain = {domain.width + 1, domain.height + 1, Boundary::box, domain.x0 - 0.5,
+                       domain.y0 - 0.5};
+        ring.seed = random();
+        std::vector<Point> keep = sample(ring).points;
+        std::erase_if(keep, [&](Point p) { return domain.holds(p) || random() % 3 == 0; });
+        request.keep = keep;
+        request.seed = random();
+        const Result set = sample(request);
+        const Proof proof = proof_of(request, set);
+        EXPECT_TRUE(proof.kept && (proof.covered || set.points.size() + keep.size() == 0))
+            << i << " of radius " << *request.radius << ", " << keep.size() << " kept; gap "
+            << proof.largest_gap_distance - proof.largest_gap_limit;
+        Request slowly = request;
+        slowly.place.backend = "reference";
+        if (i % 4 == 1) {
+            EXPECT_EQ(sample(slowly).points, set.points) << i;
+        }
+    }
+}
+
+}  // namespace chunks_test
