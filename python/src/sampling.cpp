@@ -239,7 +239,7 @@ TileFrame tile_frame(const nb::dict& given, std::uint64_t seed, double width) {
     Request request = request_of(given);
     settle(given, {}, request);
     request.seed = seed;
-    Watch watch(nb::none());
+    Watch watch{nb::none()};
     const nb::gil_scoped_release no_gil;
     return frame_of(request, width, watch);
 }

@@ -48,6 +48,9 @@ def calls(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Call]:
         "sample of classes": lambda: lacuna.sample(classes={"a": 0.1, "b": 0.0008}, seed=1),
         "sample on a field": lambda: lacuna.sample(n=100_000, field=noise, seed=1),
         "sample_many": lambda: lacuna.sample_many(range(400), radius=0.02),
+        "sample_many of tiles": lambda: lacuna.sample_many(
+            range(400), radius=0.02, torus=True, frame=0.03
+        ),
         "relax": lambda: lacuna.relax(made, iterations=3),
         "order": lambda: lacuna.order(made),
         "threshold_mask": lambda: lacuna.threshold_mask(256, 256),

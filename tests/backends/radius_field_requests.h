@@ -192,6 +192,14 @@ inline std::vector<FieldRequest> special_radius_field_requests() {
             {{0.25 + 0x1p-29, 0.2}, {0.75 + 0x1.8p-29, 0.6}}),
         with_keep(radius_field_request("kept in a field", ramp_field(8, 8), 200, torus),
                   {{0.1, 0.1}, {0.9, 0.9}, {0.5, 0.25}}),
+        with_keep(uniform("kept outside", 0.08, box),
+                  {{0.5, 0.5}, {-0.05, 0.3}, {1.0625, 0.9}, {0.4, 1}, {0.7, -0.01}, {9, 9}}),
+        with_border(with_mask(with_keep(uniform("kept outside of a mask and a border", 0.06, box),
+                                        {{-0.03, 0.3}, {0.3, 1.05}, {0.6, 0.6}}),
+                              chess_mask(5, 5)),
+                    0.02),
+        with_keep(uniform("kept outside, all but a corner covered", 1, box, 1, 0.7),
+                  {{-0.25, -0.2}}),
     };
 }
 
@@ -285,6 +293,9 @@ inline std::vector<FieldRequest> class_requests() {
         with_keep_in_classes(with_classes(uniform("kept in a class that is not drawn", 1, torus),
                                           {0.1, 0.2, 0.2, 0.07}, {0, 1}),
                              {{0.5, 0.5}, {0.1, 0.99}, {0.7, 0.9}}, {0, 0, 1}),
+        with_keep_in_classes(with_classes(uniform("kept outside in classes", 1, box),
+                                          distances_by_sum(three), {1, 1, 1}),
+                             {{-0.1, 0.5}, {0.5, 1.02}, {1.3, 0.4}, {0.5, 0.5}}, {0, 2, 0, 1}),
         with_mask(with_classes(uniform("classes on a mask", 1, box), distances_by_union(three),
                                {1, 1, 1}),
                   chess_mask(5, 7)),

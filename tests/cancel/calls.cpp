@@ -146,6 +146,11 @@ void add_samples(const Shared& given, std::size_t size, std::vector<Call>& all) 
         r.radius = 0.0059 * length;
         r.keep = g.points;
     });
+    add(" with points kept outside", [=](Request& r, const Given& g) {
+        r.radius = 0.0059 * length;
+        r.domain = {1, 1, Boundary::box, 0.5, 0.5};
+        r.keep = g.points;
+    });
     add(" of classes", [=](Request& r, const Given&) {
         r.classes = {{"a", "b"}, distances_by_sum(std::vector{0.1, 0.003 * length})};
     });
@@ -185,6 +190,12 @@ void add_others(const Shared& given, std::size_t size, std::vector<Call>& all) {
         Request request;
         request.radius = 0.02;
         sample_many(request, g.seeds, [](std::uint64_t, const Result&) {});
+    });
+    add("frame_of", [=](const Given&) {
+        Request request;
+        request.domain.boundary = Boundary::torus;
+        request.radius = 0.004 * length;
+        frame_of(request, 0.1);
     });
     add("relax", [](const Given& g) { relax(g.points, &g.field, {.iterations = 2}); });
     add("relax on reference", [](const Given& g) {

@@ -27,9 +27,10 @@ public:
     // What is wrong with the points; empty if nothing is.
     std::string fault() const {
         for (std::size_t i = 0; i < sites_.size(); ++i) {
-            if (!is_allowed(sites_[i], i < made_.keep.size()))
+            const bool is_own = i < own_;
+            if (is_own && !is_allowed(sites_[i], i < made_.keep.size()))
                 return text_of(i) + " lies where no point may";
-            for (std::size_t j = 0; j < i; ++j)
+            for (std::size_t j = 0; j < std::min(i, own_); ++j)
                 if (are_in_conflict(sites_[i], sites_[j]))
                     return text_of(j) + " and " + text_of(i) + " are too close";
         }

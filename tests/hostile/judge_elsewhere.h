@@ -38,7 +38,7 @@ inline void judge_elsewhere(const Made& made, const std::vector<std::string>& ba
     domain.x0 = any_corner(random) * domain.longer_side();
     domain.y0 = any_corner(random) * domain.longer_side();
     const auto move = [&](Point& point) { point = {domain.x0 + point.x, domain.y0 + point.y}; };
-    std::vector<Point> kept(made.keep);
+    std::vector<Point> kept(made.all_kept);
     std::for_each(kept.begin(), kept.end(), move);
     request.keep = kept;
     std::vector<PolygonSet> sets(made.polygons);
@@ -67,7 +67,10 @@ inline void judge_elsewhere(const Made& made, const std::vector<std::string>& ba
         demand(domain.holds(point), at + told(point) + " lies outside of the domain");
     if (request.mode == Mode::cells || request.mode == Mode::stratified) return;
     Claim claim = lacuna::claim_of(request, set);
-    claim.keep = claim.keep.first(std::min(kept.size(), set.points.size()));  // a limit cuts them
+    if (set.points.size() < made.keep.size()) {  // a limit cuts them
+        claim.keep = claim.keep.first(set.points.size());
+        claim.keep_classes = {};
+    }
     if (!sets.empty()) {
         claim.mask = nullptr;
         claim.polygons = sets;

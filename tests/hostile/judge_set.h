@@ -38,7 +38,10 @@ inline Claim claim_of(const Made& made, const Set& set) {
     (request.field != nullptr ? claim.scale : claim.radius) = set.size;
     claim.mask = request.mask;
     claim.border = request.border;
-    claim.keep = request.keep.first(std::min(request.keep.size(), set.points.size()));
+    // A limit cuts kept points; then neighbours do not matter.
+    const bool is_cut = set.points.size() < made.keep.size();
+    claim.keep = is_cut ? request.keep.first(set.points.size()) : request.keep;
+    if (!is_cut) claim.keep_classes = request.keep_classes;
     claim.classes = request.classes;
     claim.class_of_points = set.classes;
     claim.distances_only = !set.is_maximal;

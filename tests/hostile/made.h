@@ -25,8 +25,12 @@ struct Made {
     std::vector<PolygonRing> inside{}, outside{}, avoided{};
     std::vector<PolygonSet> polygons{};
     double edge = 0;
-    std::vector<Point> keep{};
+    std::vector<Point> keep{};  // in the domain
     std::vector<std::uint8_t> keep_classes{};
+    std::vector<Point> neighbours{};  // outside
+    std::vector<std::uint8_t> neighbour_classes{};
+    std::vector<Point> all_kept{};  // what the request keeps: both
+    std::vector<std::uint8_t> all_kept_classes{};
     std::vector<std::uint64_t> seeds{};  // the request's own is the first
     Field sparse{};                      // over which some of the points are relaxed, if not empty
     RelaxOptions moves{.iterations = 0};
@@ -38,6 +42,15 @@ struct Made {
         return is_level(row, capability, level);
     }
     bool is_moved() const { return moves.iterations != 0 || moves.gaussian != 0; }
+    void keep_all() {
+        all_kept = keep;
+        all_kept.insert(all_kept.end(), neighbours.begin(), neighbours.end());
+        all_kept_classes = keep_classes;
+        all_kept_classes.insert(all_kept_classes.end(), neighbour_classes.begin(),
+                                neighbour_classes.end());
+        request.keep = all_kept;
+        request.keep_classes = all_kept_classes;
+    }
     verify::Domain domain() const { return verify::domain_of(request.domain); }
 };
 
@@ -56,7 +69,7 @@ inline Row levels_of(const Made& made) {
     row[kOutside] = made.outside.empty() ? 0 : 1;
     row[kAvoid] = made.avoided.empty() ? 0 : 1;
     row[kBorder] = request.border > 0 ? 1 : 0;
-    row[kKeep] = request.keep.empty() ? 0 : 1;
+    row[kKeep] = request.keep.empty() ? 0 : made.neighbours.empty() ? 1 : 2;
     row[kEdges] = request.domain.wraps() ? 1 : 0;
     row[kDomain] = aspect > 3.1 ? 1 : 0;
     row[kSize] = request.count ? 1 : request.radius || request.scale ? 0 : 2;
@@ -92,8 +105,8 @@ inline std::string describe(const Made& made) {
     if (!request.classes.names.empty()) out << ", " << request.classes.names.size() << " classes";
     out << ", border " << request.border;
     for (const double border : request.classes.borders) out << ":" << border;
-    out << ", " << made.keep.size() << " kept, limit " << request.limit.value_or(0)
-        << ", round size " << request.paper2011.round_size << ", m "
+    out << ", " << made.keep.size() << " kept, " << made.neighbours.size() << " outside, limit "
+        << request.limit.value_or(0) << ", round size " << request.paper2011.round_size << ", m "
         << request.paper2011.lines_per_radius.value_or(0) << ", seed " << request.seed
         << ", threads " << request.place.threads;
     return out.str();

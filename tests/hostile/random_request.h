@@ -94,7 +94,7 @@ private:
         // A count of fewer points than this trial has would need ellipses that are too long.
         if (request.count && has_ellipses() && request.domain.wraps())
             request.count = std::max<std::uint64_t>(*request.count, 2 * trial.points.size());
-        if (is(kKeep, "yes")) choose_kept(made, trial);
+        if (!is(kKeep, "no")) choose_kept(made, trial);
         if (is(kLimit, "yes")) request.limit = 1 + choose_.below(most_points());
         return true;
     }
@@ -268,18 +268,67 @@ private:
         made.keep.assign(trial.points.begin(), trial.points.begin() + many);
         if (!trial.classes.empty())
             made.keep_classes.assign(trial.classes.begin(), trial.classes.begin() + many);
-        const bool is_plain = is(kMode, "exact") && is(kSize, "given") && is(kClasses, "none");
+        const bool is_plain =
+            is(kMode, "exact") && is(kSize, "given") && is(kClasses, "none") && is(kKeep, "yes");
         if (is_plain && !has_ellipses() && choose_.one_in(2)) add_hard_points(choose_, made);
-        Request& request = made.request;
-        request.keep = made.keep;
-        request.keep_classes = made.keep_classes;
+        if (is(kKeep, "outside")) choose_neighbours(made);
+        const Request& request = made.request;
+        made.keep_all();
         // At the size that a count leads to, kept points may be too close together.
         while (is(kMode, "exact") && request.count && request.keep.size() > 1 &&
                !is_fair(request)) {
             made.keep.resize(made.keep.size() / 2);
             if (!made.keep_classes.empty()) made.keep_classes.resize(made.keep.size());
-            request.keep = made.keep;
-            request.keep_classes = made.keep_classes;
+            made.neighbours.resize((made.neighbours.size() + 1) / 2);
+            if (!made.neighbour_classes.empty())
+                made.neighbour_classes.resize(made.neighbours.size());
+            made.keep_all();
+        }
+    }
+
+    // Points outside of the domain, most of them within the greatest distance: beside its sides and
+    // corners, as near as can be or just out of reach. Each keeps its distance from all others.
+    void choose_neighbours(Made& made) {
+        const Request& request = made.request;
+        const Classes& classes = request.classes;
+        const std::size_t kinds = std::max<std::size_t>(1, classes.names.size());
+        double least = std::numeric_limits<double>::infinity(), greatest = 0;
+        for (const double one : classes.distances) {
+            if (one > 0) least = std::min(least, one);
+            greatest = std::max(greatest, one);
+        }
+        const double size = request.count           ? 2 * size_
+                            : request.radius        ? *request.radius
+                            : classes.names.empty() ? size_
+                                                    : least;
+        const auto apart = [&](std::size_t a, std::size_t b) {
+            return classes.names.empty() ? size : size / least * classes.distances[a * kinds + b];
+        };
+        const double reach = classes.names.empty() ? size : size / least * greatest;
+        const auto beside = [&](double side) {
+            const double far =
+                reach * std::array{1e-9, choose_.in(0, 1), 1 - 1e-9, 1.001, 3.0}[choose_.below(5)];
+            return choose_.one_in(2) ? -far : side + far;
+        };
+        for (int tries = 60; tries != 0 || made.neighbours.empty(); --tries) {
+            const double width = request.domain.width, height = request.domain.height;
+            const std::uint32_t where = choose_.below(5);
+            const Point at{where < 2 ? choose_.in(0, width) : beside(width),
+                           where == 2 || where == 3 ? choose_.in(0, height) : beside(height)};
+            const auto kind =
+                static_cast<std::uint8_t>(choose_.below(static_cast<std::uint32_t>(kinds)));
+            if (request.domain.holds(at)) continue;
+            made.keep_all();
+            const auto is_far = [&](std::size_t other) {
+                const std::size_t of_other =
+                    classes.names.empty() ? 0 : made.all_kept_classes[other];
+                return made.domain().distance(at, made.all_kept[other]) >= apart(kind, of_other);
+            };
+            bool fits = true;
+            for (std::size_t i = 0; i < made.all_kept.size(); ++i) fits = fits && is_far(i);
+            if (!fits && tries > -60) continue;
+            made.neighbours.push_back(fits ? at : Point{-9 * reach - width, 0});
+            if (!classes.names.empty()) made.neighbour_classes.push_back(kind);
         }
     }
 

@@ -27,6 +27,11 @@ public:
         for (std::size_t i = 0; i < points.size(); ++i)
             sites_.push_back({points[i], shapes_near(points[i]),
                               classes.empty() ? std::uint8_t{0} : classes[i]});
+        own_ = points.size();
+        for (std::size_t i = 0; i < made.neighbours.size(); ++i)
+            sites_.push_back({made.neighbours[i],
+                              {Shape{size, size}},
+                              classes.empty() ? std::uint8_t{0} : made.neighbour_classes[i]});
         least_distance_ = std::numeric_limits<double>::infinity();
         for (const double distance : request_.classes.distances)
             if (distance > 0) least_distance_ = std::min(least_distance_, distance);
@@ -41,11 +46,27 @@ public:
         const std::size_t count = request_.classes.names.size();
         double most = least_distance_;
         for (const double distance : request_.classes.distances) most = std::max(most, distance);
-        return 2 * blur() *
+        return 2 * blur() * longer_side_with_neighbours() / domain_.longer_side() *
                (count <= 4   ? 1
                 : count <= 8 ? 2
                              : 4) *
                (count == 0 ? 1 : most / least_distance_);
+    }
+
+    // Of the box around the domain and the neighbours within the greatest distance.
+    double longer_side_with_neighbours() const {
+        double greatest = 1;
+        for (const double distance : request_.classes.distances)
+            greatest = std::max(greatest, distance / least_distance_);
+        double left = 0, bottom = 0, right = domain_.width, top = domain_.height;
+        for (const Point& at : made_.neighbours) {
+            const double across = std::max({-at.x, 0.0, at.x - domain_.width});
+            const double up = std::max({-at.y, 0.0, at.y - domain_.height});
+            if (std::sqrt(across * across + up * up) > greatest * size_) continue;
+            left = std::min(left, at.x), right = std::max(right, at.x);
+            bottom = std::min(bottom, at.y), top = std::max(top, at.y);
+        }
+        return std::max(right - left, top - bottom);
     }
 
     // Whether a spot is open to a class, and no border of pixels or edge of the allowed part is
@@ -224,7 +245,8 @@ protected:
     const verify::Domain domain_;
     const double size_;
     double least_distance_;
-    std::vector<Site> sites_;
+    std::size_t own_ = 0;      // the points of the set, which come first
+    std::vector<Site> sites_;  // also those of neighbours
 };
 
 }  // namespace lacuna::tests

@@ -73,7 +73,7 @@ TEST(ABorder, IsForBoxesInModeExact) {
     EXPECT_EQ(refusal_of(request), "border with mode lines: is for mode exact only");
 }
 
-TEST(AKeptPoint, LiesInTheDomain) {
+TEST(AKeptPoint, LiesInATorusOrAnywhereBesideABox) {
     Request request = of_radius(0.1);
     request.domain.width = 2;
     const auto refusal_at = [&](Point outside) {
@@ -85,10 +85,16 @@ TEST(AKeptPoint, LiesInTheDomain) {
         return "keep point 1 at (" + shortest(outside.x) + ", " + shortest(outside.y) +
                "): must lie in the domain, " + domain;
     };
-    for (const Point outside :
-         {Point{std::nextafter(2, 3), 0.5}, Point{-1e-300, 0.5}, Point{1, 1.5}, Point{1, -1},
-          Point{std::nan(""), 0}, Point{0, std::nan("")}})
-        EXPECT_EQ(refusal_at(outside), message(outside, "[0, 2] x [0, 1]"));
+    for (const Point outside : {Point{std::nextafter(2, 3), 0.5}, Point{-1e-300, 0.5},
+                                Point{1, 1.5}, Point{1, -1}, Point{1e300, 9}}) {
+        request.domain.boundary = Boundary::box;
+        EXPECT_EQ(refusal_at(outside), "accepted");
+        request.domain.boundary = Boundary::torus;
+        EXPECT_EQ(refusal_at(outside), message(outside, "[0, 2) x [0, 1)"));
+    }
+    request.domain.boundary = Boundary::box;
+    for (const Point nowhere : {Point{std::nan(""), 0}, Point{0, std::nan("")}})
+        EXPECT_EQ(refusal_at(nowhere), message(nowhere, "[0, 2] x [0, 1]"));
     // The upper edges belong to a box, but on a torus they are the lower ones.
     for (const Point corner : {Point{2, 0.5}, Point{1, 1}, Point{2, 1}}) {
         request.domain.boundary = Boundary::box;

@@ -1,0 +1,90 @@
+"""Chunks, which keep the points of those beside them, and tiles that share a frame."""
+
+import numpy as np
+import pytest
+from conftest import refused
+
+import lacuna
+
+EAST = (1, 0, 2, 1)
+CLASSES = {"trees": 0.06, "grass": 0.02}
+
+
+def test_a_chunk_beside_another_is_proven_with_its_points():
+    west = lacuna.sample(0.05, seed=1)
+    east = lacuna.sample(0.05, domain=EAST, keep=west, seed=2)
+    assert east.maximal and (east.points[:, 0] >= 1).all()
+    assert lacuna.verify(east)
+    assert lacuna.verify(east.points, 0.05, domain=EAST, keep=west).maximal
+    both = np.vstack([west.points, east.points])
+    assert lacuna.verify(both, 0.05, domain=(2, 1), tolerance=2**-26).maximal
+    alone = lacuna.verify(east.points, 0.05, domain=EAST)
+    assert alone.kept and not alone.covered
+    request = east.report()["request"]
+    assert (request["kept"], request["neighbours"]) == (0, len(west))
+
+
+def test_a_chunk_has_kept_points_of_its_own_too():
+    west = lacuna.sample(0.05, seed=1).points
+    kept = np.vstack([[(1.5, 0.5)], west, [(1.2, 0.9)]])
+    east = lacuna.sample(0.05, domain=EAST, keep=kept, seed=2)
+    assert (east.points[:2] == [(1.5, 0.5), (1.2, 0.9)]).all()
+    assert lacuna.verify(east) and lacuna.verify(east, keep=kept)
+    assert east.report()["request"]["kept"] == 2
+
+
+def test_chunks_of_classes_are_proven():
+    west = lacuna.sample(classes=CLASSES, seed=1)
+    east = lacuna.sample(classes=CLASSES, domain=EAST, keep=west, seed=2)
+    assert lacuna.verify(east)
+    given = {"classes": CLASSES, "domain": EAST, "class_of": east.class_of}
+    assert lacuna.verify(east.points, keep=west, **given)
+    assert lacuna.verify(east.points, keep=west.points, keep_classes=west.class_of, **given)
+    refused(lacuna.BadRequest, "keep", lacuna.verify, east.points, keep=west.points, **given)
+
+
+def test_a_neighbour_that_is_too_close_is_named_and_drawn():
+    points, keep = [(1.01, 0.5)], [(-3, 0.5), (0.96, 0.5)]
+    verdict = lacuna.verify(points, 0.1, domain=EAST, keep=keep)
+    assert verdict.closest_pair == (0, 2)
+    assert verdict.reason.startswith("points 0 and 1 of keep are 0.05 apart")
+    pytest.importorskip("matplotlib")
+    line = verdict.plot().lines[-1]
+    assert sorted(line.get_xdata()) == [0.96, 1.01]
+
+
+def test_points_outside_are_refused_where_they_mean_nothing():
+    for more in ({"torus": True}, {"progressive": True}):
+        refused(lacuna.BadRequest, "keep", lacuna.sample, 0.1, keep=[(-1, 0)], **more)
+    field = np.ones((2, 2))
+    refused(lacuna.BadRequest, "keep", lacuna.sample, field=field, scale=0.1, keep=[(-1, 0)])
+
+
+@pytest.mark.parametrize("as_iterator", [False, True])
+def test_tiles_of_one_frame_fit_side_by_side(as_iterator):
+    seeds = range(30)
+    made = lacuna.sample_many(
+        iter(seeds) if as_iterator else seeds, 0.08, torus=True, frame=0.12
+    )
+    tiles = list(made)
+    random = np.random.default_rng(5)
+    plane = np.vstack([
+        tiles[random.integers(len(tiles))].points + (x, y) for x in range(6) for y in range(5)
+    ])
+    inside = ((plane >= 0.08) & (plane <= (5.92, 4.92))).all(axis=1)
+    domain = (0.08, 0.08, 5.92, 4.92)
+    verdict = lacuna.verify(plane[inside], 0.08, domain=domain, keep=plane[~inside])
+    assert verdict.maximal, verdict
+    assert all(lacuna.verify(tile) for tile in tiles[:3])
+    kept = tiles[0].report()["request"]["kept"]
+    assert (tiles[0].points[:kept] == tiles[7].points[:kept]).all()
+    assert not (tiles[0].points[kept] == tiles[7].points[kept]).all()
+
+
+def test_frames_that_are_too_narrow_are_refused():
+    for more in (
+        {"radius": 0.08, "torus": True, "frame": 0.1},
+        {"radius": 0.08, "frame": 0.2},
+        {"n": 50, "torus": True, "frame": 0.2},
+    ):
+        refused(lacuna.BadRequest, "frame", lacuna.sample_many, range(3), **more)

@@ -1,0 +1,153 @@
+// Chunks and tiles, as a user of the command makes and proves them.
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "expectations.h"
+#include "files/read_points.h"
+#include "program.h"
+
+namespace chunks_test {
+
+using namespace lacuna;
+using namespace lacuna::tests;
+using Json = nlohmann::json;
+
+Words with(Words first, const Words& more) {
+    first.insert(first.end(), more.begin(), more.end());
+    return first;
+}
+
+// A chunk to the west of another, and the domain of that.
+class Chunks : public testing::Test {
+protected:
+    void make(const Words& options) {
+        expect_success(with({"sample", "--quiet", "-o", west_, "--domain", "1x1"}, options));
+        const Outcome made = run(
+            with({"sample", "-o", east_, "-o", json_, "--keep", west_}, with(options, domain_)));
+        ASSERT_EQ(made.exit_code, 0) << made.err;
+        summary_ = made.err;
+    }
+    Outcome verified(const Words& more) const { return run(with({"verify"}, more)); }
+
+    const Folder folder_;
+    const std::string west_ = folder_.path("west.csv"), east_ = folder_.path("east.csv");
+    const std::string json_ = folder_.path("east.json");
+    const Words domain_{"--domain", "1,0+1x1"};
+    std::string summary_;
+};
+
+TEST_F(Chunks, AreProvenWithTheirNeighboursAndNotWithout) {
+    make({"--radius", "0.05"});
+    const std::string count = std::to_string(files::read_points(west_).size());
+    EXPECT_NE(summary_.find(", beside " + count + " kept outside, "), std::string::npos)
+        << summary_;
+    const Json set = Json::parse(content_of(json_));
+    EXPECT_EQ(set["options"]["keep"], west_);
+    EXPECT_EQ(set["options"]["kept"], 0);
+    EXPECT_EQ(std::to_string(set["options"]["neighbours"].get<int>()), count);
+
+    const Words claim = with({east_, "--radius", "0.05"}, domain_);
+    const Outcome proven = verified(with(claim, {"--keep", west_}));
+    EXPECT_EQ(proven.exit_code, 0) << proven.out;
+    EXPECT_NE(proven.out.find(count + " points, " + count + " of them outside of the domain"),
+              std::string::npos)
+        << proven.out;
+    EXPECT_EQ(verified({json_, "--keep", west_}).exit_code, 0);
+    const Outcome alone = verified(claim);
+    EXPECT_EQ(alone.exit_code, 1);
+    EXPECT_NE(alone.out.find("there is room for a point at (1"), std::string::npos) << alone.out;
+    const Outcome asking = verified({json_});
+    EXPECT_EQ(asking.exit_code, 2);
+    EXPECT_NE(asking.err.find("made with --keep " + west_ + ": give that too"), std::string::npos)
+        << asking.err;
+}
+
+TEST_F(Chunks, NameANeighbourThatIsTooClose) {
+    write_file(west_, "x,y\n-3,0.5\n0.96,0.5\n");
+    write_file(east_, "x,y\n1.01,0.5\n");
+    const Words claim = with({east_, "--radius", "0.1", "--keep", west_}, domain_);
+    const Outcome refuted = verified(claim);
+    EXPECT_EQ(refuted.exit_code, 1);
+    EXPECT_NE(refuted.out.find("points 0 at (1.01, 0.5) and 1 of " + west_ +
+                               " at (0.96, 0.5) are closer than 0.1"),
+              std::string::npos)
+        << refuted.out;
+    const Json report = Json::parse(verified(with(claim, {"--json"})).out);
+    EXPECT_EQ(report["sets"][0]["closest_pair"]["points"], Json::parse("[0, 2]"));
+    EXPECT_EQ(report["sets"][0]["neighbours"], 2);
+}
+
+TEST_F(Chunks, OfClassesAreProven) {
+    const Words classes{"--class", "trees:0.06", "--class", "grass:0.01"};
+    make(classes);
+    EXPECT_EQ(verified(with(with({east_, "--keep", west_}, classes), domain_)).exit_code, 0);
+    const Outcome proven = verified({json_, "--keep", west_});
+    EXPECT_EQ(proven.exit_code, 0) << proven.out << proven.err;
+    write_file(west_, "x,y,class\n0.999,0.5,trees\n");
+    const Outcome refuted = verified({json_, "--keep", west_});
+    EXPECT_EQ(refuted.exit_code, 1);
+    EXPECT_NE(refuted.out.find("0 of " + west_ + " at (0.999, 0.5), of class trees, are closer"),
+              std::string::npos)
+        << refuted.out;
+}
+
+// A path that lies on both chunks, and a border around each.
+TEST_F(Chunks, HaveObstaclesAndBorders) {
+    const std::string path = folder_.path("path.txt");
+    write_file(path, "0.5 0.2\n1.5 0.6\n1.7 0.9\n");
+    const Words options{"--radius", "0.04", "--avoid", path + ":0.05", "--border", "0.01"};
+    make(options);
+    const Outcome proven =
+        verified(with(with({east_, "--keep", west_, "--edge", "0.0025"}, options), domain_));
+    EXPECT_EQ(proven.exit_code, 0) << proven.out << proven.err;
+    const Outcome from_json = verified({json_, "--keep", west_, "--avoid", path + ":0.05"});
+    EXPECT_EQ(from_json.exit_code, 0) << from_json.out << from_json.err;
+}
+
+TEST_F(Chunks, HaveAMask) {
+    const std::string mask = folder_.path("mask.pgm");
+    write_file(mask, "P2 2 2 1\n1 0\n1 1\n");
+    const Words options{"--radius", "0.04", "--mask", mask};
+    make(options);
+    const Outcome proven = verified(with(with({east_, "--keep", west_}, options), domain_));
+    EXPECT_EQ(proven.exit_code, 0) << proven.out << proven.err;
+}
+
+TEST(Tiles, OfOneFrameBeginWithItsPointsAndSayHowMany) {
+    const Folder folder;
+    const Words options{"sample", "--radius", "0.05", "--torus"};
+    const Outcome made =
+        run(with(options, {"--frame", "0.1", "--seeds", "4..7", "-o", folder.path("{seed}.csv"),
+                           "-o", folder.path("{seed}.json"), "--report", folder.path("all.json")}));
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    const Json tile = Json::parse(content_of(folder.path("5.json")));
+    const std::size_t kept = tile["options"]["kept"];
+    EXPECT_EQ(tile["options"]["frame"], 0.1);
+    EXPECT_NE(made.err.find(", " + std::to_string(kept) + " of them kept, "), std::string::npos)
+        << made.err;
+    EXPECT_EQ(Json::parse(content_of(folder.path("all.json")))["request"]["kept"], kept);
+    const std::vector<Point> first = files::read_points(folder.path("4.csv"));
+    const std::vector<Point> other = files::read_points(folder.path("7.csv"));
+    ASSERT_LT(kept, first.size());
+    EXPECT_TRUE(std::equal(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(kept),
+                           other.begin()));
+    EXPECT_NE(first[kept], other[kept]);
+    EXPECT_EQ(run({"verify", folder.path("5.json")}).exit_code, 0);
+    // The same as with the frame in a file.
+    std::string frame;
+    const std::string all = content_of(folder.path("5.csv"));
+    for (std::size_t line = 0, at = 0; line <= kept; ++line)
+        frame = all.substr(0, at = all.find('\n', at) + 1);
+    write_file(folder.path("frame.csv"), frame);
+    expect_success(with(options, {"--seed", "5", "--keep", folder.path("frame.csv"), "-o",
+                                  folder.path("same.csv"), "--quiet"}));
+    EXPECT_EQ(content_of(folder.path("same.csv")), all);
+}
+
+}  // namespace chunks_test
