@@ -44,7 +44,8 @@ typedef struct lacuna_given {
     const double* importance;
     size_t columns;
     size_t rows;
-    /* Points that are there already, as of --keep: x and y, alternately. */
+    /* Points that are there already, as of --keep: x and y, alternately. Those outside of a box are
+     * no points of the set, but points keep their distance from them. */
     const double* kept;
     size_t kept_count;
     /* Where points may lie, as of --mask: mask_columns * mask_rows bytes, 0 where none may, row by

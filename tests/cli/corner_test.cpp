@@ -193,10 +193,10 @@ TEST(Outlines, OfObstaclesAndKeptPointsLieAtTheCornerToo) {
     EXPECT_EQ(proven.exit_code, 0) << proven.out << proven.err;
     write_file(folder.path("trees.txt"), "650 150\n");
     const Outcome refused = run({"sample", "--inside", folder.path("map.geojson"), "--keep",
-                                 folder.path("trees.txt"), "--radius", "15"});
+                                 folder.path("trees.txt"), "--radius", "15", "--progressive"});
     EXPECT_EQ(refused.err,
-              "lacuna: --keep point 0 at (650, 150): must lie in the domain, [448251, 449400] x "
-              "[5411200, 5412400]\n");
+              "lacuna: --keep point 0 at (650, 150): with a progressive order must lie in the "
+              "domain, [448251, 449400] x [5411200, 5412400]\n");
 }
 
 TEST(Outlines, WithoutAnAreaNeedADomain) {

@@ -50,8 +50,8 @@ TEST(Refused, OfSampleAreFilesThatSayWherePointsMayLie) {
         {"--mask black.pgm", 3,
          "lacuna: black.pgm: black or transparent all over: as a mask it must allow samples "
          "somewhere, on pixels that are not 0\n"},
-        {"--keep outside.txt", 2,
-         "lacuna: --keep point 1 at (2, 0.5): must lie in the domain, [0, 1] x [0, 1]\n"},
+        {"--torus --keep outside.txt", 2,
+         "lacuna: --keep point 1 at (2, 0.5): must lie in the domain, [0, 1) x [0, 1)\n"},
         {"--keep none.txt", 3, "lacuna: none.txt: No such file or directory\n"},
     };
     expect_refusals(files, "sample --radius 0.1 -o a.npy", refusals);

@@ -268,8 +268,11 @@ TEST_F(Corner, IsWhereKeptAndOtherPointsMustLie) {
     request.radius = 0.1;
     const std::vector<Point> low{{0.5, 0.5}}, edge{{12, -19}};
     request.keep = low;
+    request.progressive = true;
     EXPECT_EQ(tests::refusal_of([&] { sample(request); }),
-              "keep point 0 at (0.5, 0.5): must lie in the domain, [10, 12] x [-20, -19]");
+              "keep point 0 at (0.5, 0.5): with a progressive order must lie in the domain, "
+              "[10, 12] x [-20, -19]");
+    request.progressive = false;
     EXPECT_EQ(tests::refusal_of([&] { relax(low, nullptr, {.domain = request.domain}); }),
               "points point 0 at (0.5, 0.5): must lie in the domain, [10, 12] x [-20, -19]");
     request.keep = edge;

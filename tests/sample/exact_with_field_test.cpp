@@ -91,6 +91,10 @@ void expect_that_promises_are_kept(const FieldRequest& made, const Result& resul
                 std::min(plane.least_radius_at(points[i]), plane.least_radius_at(points[j]));
             EXPECT_GE(plane.distance(points[i], points[j]), limit) << i << " and " << j;
         }
+        for (const Point& kept : request.keep)
+            if (!request.domain.holds(kept)) {
+                EXPECT_GE(plane.distance(points[i], kept), *request.radius) << i;
+            }
     }
     if (!result.maximal) return;
     // Wherever a sample could lie, another one is nearer than both radii. Checked at random, beside
@@ -115,7 +119,12 @@ void expect_that_promises_are_kept(const FieldRequest& made, const Result& resul
                    std::min(plane.greatest_radius_at(spot), plane.greatest_radius_at(point)) +
                        plane.blur();
         });
-        EXPECT_TRUE(is_covered) << "(" << spot.x << ", " << spot.y << ")";
+        const auto covers = [&](const Point& kept) {
+            return request.field == nullptr && !request.domain.holds(kept) &&
+                   plane.distance(spot, kept) < *request.radius + plane.blur();
+        };
+        EXPECT_TRUE(is_covered || std::any_of(request.keep.begin(), request.keep.end(), covers))
+            << "(" << spot.x << ", " << spot.y << ")";
     }
 }
 
