@@ -43,6 +43,16 @@ def test_chunks_of_classes_are_proven():
     refused(lacuna.BadRequest, "keep", lacuna.verify, east.points, keep=west.points, **given)
 
 
+def test_chunks_of_classes_have_borders_and_polygons_of_their_own():
+    wood = [(0.6, 0.1), (1.7, 0.2), (1.4, 0.9), (0.7, 0.8)]
+    places = {"classes": CLASSES, "inside": {"trees": [wood]}, "border": {"trees": 0.05}}
+    west = lacuna.sample(domain=(1, 1), seed=1, **places)
+    east = lacuna.sample(domain=EAST, keep=west, seed=2, **places)
+    found = lacuna.verify(east, inside=places["inside"], edge=0.04 / 16)
+    assert found and found.maximal
+    assert east.points[east.class_of == 0, 0].min() >= 1.05
+
+
 def test_a_neighbour_that_is_too_close_is_named_and_drawn():
     points, keep = [(1.01, 0.5)], [(-3, 0.5), (0.96, 0.5)]
     verdict = lacuna.verify(points, 0.1, domain=EAST, keep=keep)

@@ -119,6 +119,27 @@ TEST_F(Chunks, HaveAMask) {
     EXPECT_EQ(proven.exit_code, 0) << proven.out << proven.err;
 }
 
+// A wood that lies on both chunks, in which alone trees stand, farther from edges than grass.
+TEST_F(Chunks, OfClassesHavePolygonsAndBordersOfTheirOwn) {
+    const std::string wood = folder_.path("wood.txt");
+    write_file(wood, "0.6 0.1\n1.7 0.2\n1.4 0.9\n0.7 0.8\n");
+    const Words classes{"--class", "trees:0.04", "--class", "grass:0.01"};
+    const Words of_trees{"--inside", "trees:" + wood};
+    for (const Words& borders : {Words{"--border", "trees:0.05", "--border", "0.003"}, Words{},
+                                 Words{"--inside-by-radius"}}) {
+        const Words options = with(with(classes, of_trees), borders);
+        make(options);
+        const Words claim = with(with({east_}, options), domain_);
+        const Outcome proven = verified(with(claim, {"--keep", west_}));
+        EXPECT_EQ(proven.exit_code, 0) << proven.out << proven.err;
+        const Outcome from_json = verified(with({json_, "--keep", west_}, of_trees));
+        EXPECT_EQ(from_json.exit_code, 0) << from_json.out << from_json.err;
+        if (borders.empty()) {
+            EXPECT_EQ(verified(claim).exit_code, 1);
+        }
+    }
+}
+
 TEST(Tiles, OfOneFrameBeginWithItsPointsAndSayHowMany) {
     const Folder folder;
     const Words options{"sample", "--radius", "0.05", "--torus"};

@@ -299,6 +299,20 @@ TEST_F(AChunk, RefusesWhatCannotBeKeptOutside) {
     EXPECT_EQ(refusal({-0.5, 0.5}, [](Request& r) { r.progressive = true; }),
               "keep point 0 at (-0.5, 0.5): with a progressive order must lie in the domain, "
               "[0, 1] x [0, 1]");
+    const std::vector<std::uint8_t> first_class{0};
+    const Mask wide{2, 1, {1, 0}}, high{1, 2, {1, 0}};
+    const auto with_masks = [&](const Mask& other) {
+        return [&](Request& r) {
+            r.classes.names = {"a", "b"};
+            r.classes.distances = {0.1, 0.1, 0.1, 0.1};
+            r.classes.masks = {&wide, &other};
+            r.keep_classes = first_class;
+        };
+    };
+    EXPECT_EQ(refusal({-0.5, 0.5}, with_masks(wide)), "accepted");
+    EXPECT_EQ(refusal({-0.5, 0.5}, with_masks(high)),
+              "keep point 0 at (-0.5, 0.5): with masks of different sizes must lie in the domain, "
+              "[0, 1] x [0, 1]");
     EXPECT_EQ(refusal({-std::numeric_limits<double>::infinity(), 0.5}, nothing),
               "keep point 0 at (-inf, 0.5): must lie in the domain, [0, 1] x [0, 1]");
 }

@@ -181,7 +181,7 @@ struct Request {
     // Those that lie outside of a box, such as the points of sets beside it, are no points of the
     // result. But samples keep their distance from them, and the result is maximal beside them. If
     // there are such points, those on the upper edges are outside, too. Not with a field or a
-    // progressive order.
+    // progressive order; with masks of classes only if all masks have as many columns and rows.
     std::span<const Point> keep{};
     // With classes the class of each kept point: its place in Classes::names.
     std::span<const std::uint8_t> keep_classes{};
