@@ -85,6 +85,8 @@ private:
         choose_moves(made);
         Result trial;
         if (is_refused) {
+            // The only kept point must not be what is refused.
+            if (!is(kKeep, "no") && !is_open_in_the_middle(made)) return false;
             trial.points = {{request.domain.width / 2, request.domain.height / 2}};
             if (!is(kClasses, "none")) trial.classes = {0};
         } else {
@@ -97,6 +99,15 @@ private:
         if (!is(kKeep, "no")) choose_kept(made, trial);
         if (is(kLimit, "yes")) request.limit = 1 + choose_.below(most_points());
         return true;
+    }
+
+    static bool is_open_in_the_middle(const Made& made) {
+        const auto is_open = [](const auto& pixels, const auto& values) {
+            return values[std::size_t{pixels.rows - 1 - pixels.rows / 2} * pixels.columns +
+                          pixels.columns / 2] != 0;
+        };
+        return (made.request.mask == nullptr || is_open(made.mask, made.mask.allowed)) &&
+               (made.request.field == nullptr || is_open(made.field, made.field.importance));
     }
 
     static bool has_spare_pixels(Request request) {
