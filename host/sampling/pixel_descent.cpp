@@ -123,12 +123,12 @@ private:
         std::size_t next = 0;
         for (std::int64_t dy = -reach_y_; dy <= reach_y_; ++dy)
             for (std::int64_t dx = -reach_x_; dx <= reach_x_; ++dx)
-                kernel_[next++] +=
-                    static_cast<std::int32_t>(line[static_cast<std::size_t>(std::abs(dy))] *
-                                                  line[static_cast<std::size_t>(std::abs(dx))] +
-                                              0.5);
+                kernel_[next++] += static_cast<std::int32_t>(
+                    std::lround(line[static_cast<std::size_t>(std::abs(dy))] *
+                                line[static_cast<std::size_t>(std::abs(dx))]));
         constexpr int kDroppedAlongX = 6, kDroppedAlongY = 10;  // bits; together kOne
         std::vector<std::int64_t> weights;
+        weights.reserve(line.size());
         for (const double one : line) weights.push_back(std::llround(one));
         std::vector<std::int32_t> seen(error_.size());
         for (std::size_t i = 0; i < seen.size(); ++i)
