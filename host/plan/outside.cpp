@@ -156,9 +156,10 @@ Around around_kept(const Request& request, const Poll& poll) {
     std::map<const Mask*, const Mask*> padded{{nullptr, nullptr}};
     const auto pad = [&](const Mask* mask) {
         const auto [found, is_new] = padded.try_emplace(mask);
-        if (is_new)
-            found->second =
-                &around.masks.emplace_back(padded_mask(*mask, across.pixels, up.pixels, poll));
+        if (is_new) {
+            around.masks.push_back(padded_mask(*mask, across.pixels, up.pixels, poll));
+            found->second = &around.masks.back();
+        }
         return found->second;
     };
     std::vector<const Mask*>& of_classes = around.request.classes.masks;

@@ -3,7 +3,7 @@
 
 #include <lacuna/lacuna.h>
 
-#include <deque>
+#include <list>
 
 #include "base/polling.h"
 
@@ -13,7 +13,7 @@ namespace lacuna {
 // points outside need, and each mask is in the middle of this domain.
 struct Around {
     Request request;
-    std::deque<Mask> masks;  // what the request's masks point to, if the domain is larger
+    std::list<Mask> masks;  // what the request's masks point to, if the domain is larger
 };
 
 // The points to keep of the request are sorted (plan/kept.h).

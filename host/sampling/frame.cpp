@@ -20,7 +20,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kRadii = 1.5;
+constexpr double kLeastWidth = 1.5;  // of a frame, in greatest distances
 // A covered spot may be farther than the least distance by 2^-27 of the longer side, or with 16
 // classes by 2^-25, and as a multiple of that than a greater one. So the frame is a little wider
 // than asked for.
@@ -60,7 +60,7 @@ void refuse_others(const Request& request) {
 }
 
 void check_width(const Request& request, double width) {
-    const double least = kRadii * greatest_distance(request);
+    const double least = kLeastWidth * greatest_distance(request);
     const double half = request.domain.shorter_side() / 2;
     constexpr double kWritten = 1 - 1e-9;  // as least is written in the message
     if (width >= kWritten * least && width < half) return;

@@ -21,7 +21,7 @@ namespace lacuna {
 namespace {
 
 constexpr std::uint32_t kLeastSide = 8, kMostSide = 1024;
-constexpr std::uint64_t kMostPixels = std::uint64_t{kMostSide} * kMostSide;  // of all frames
+constexpr std::uint64_t kMostThresholds = std::uint64_t{kMostSide} * kMostSide;  // of all frames
 constexpr std::uint32_t kFrameStream = 0xf4a3;  // a stream of random numbers, for further frames
 constexpr std::size_t kMinority = 10;           // a pattern begins with one pixel in so many
 // The Gaussian's deviation in pixels, where one pixel in kMinority is set or fewer, and where more
@@ -60,7 +60,7 @@ public:
                 kernel_.push_back(static_cast<std::int64_t>(
                     kScale * power(unit, static_cast<double>(x * x + y * y))));
         const double in_time = power(kEulerInverse, 1 / (2 * kInTime * kInTime));
-        for (std::uint32_t t = 0; t <= (frames_ - 1) / 2; ++t)
+        for (std::uint32_t t = 0; t <= frames_ / 2; ++t)
             in_time_.push_back(
                 static_cast<std::int64_t>(kScale * power(in_time, static_cast<double>(t * t))));
     }
@@ -82,12 +82,12 @@ public:
             }
             row_best_[y] = kUnknown;
         }
-        for (std::size_t t = 1; t < in_time_.size(); ++t)
-            for (const std::size_t other : {frame + t, frame + frames_ - t}) {
-                const std::size_t y = other % frames_ * rows_ + row;
-                crowd_[y * columns_ + column] += is_added ? in_time_[t] : -in_time_[t];
-                row_best_[y] = kUnknown;
-            }
+        for (std::size_t t = 1; t < frames_; ++t) {
+            const std::size_t y = (frame + t) % frames_ * rows_ + row;
+            const std::int64_t crowd = in_time_[std::min(t, frames_ - t)];
+            crowd_[y * columns_ + column] += is_added ? crowd : -crowd;
+            row_best_[y] = kUnknown;
+        }
     }
 
     void add(const std::vector<bool>& pattern) {
@@ -250,9 +250,9 @@ ThresholdMask threshold_mask(std::uint32_t columns, std::uint32_t rows, std::uin
     if (columns < kLeastSide || columns > kMostSide || rows < kLeastSide || rows > kMostSide)
         throw BadRequest("size", std::to_string(columns) + "x" + std::to_string(rows),
                          "each side must be 8 to 1024 pixels");
-    if (frames == 0 || std::uint64_t{columns} * rows * frames > kMostPixels)
+    if (frames == 0 || std::uint64_t{columns} * rows * frames > kMostThresholds)
         throw BadRequest("frames", std::to_string(frames),
-                         "must be 1 to " + std::to_string(kMostPixels / columns / rows) +
+                         "must be 1 to " + std::to_string(kMostThresholds / columns / rows) +
                              " for this size: all together have at most 1024x1024 pixels");
     Patterns all;
     for (std::uint32_t frame = 0; frame < frames; ++frame) {

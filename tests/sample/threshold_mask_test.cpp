@@ -115,6 +115,23 @@ TEST(FramesOfThresholdMasks, HaveLittlePowerAtLowFrequenciesInTime) {
     }
 }
 
+// Two frames are each other's neighbours in time, half of the period away.
+TEST(FramesOfThresholdMasks, AreUnlikeTheNextOneAlsoIfTheyAreTwo) {
+    constexpr std::size_t kPixels = 16 * 16;
+    for (const std::uint32_t frames : {2U, 3U, 4U}) {
+        const ThresholdMask mask = threshold_mask(16, 16, 0, frames);
+        const auto deviation = [&](std::size_t i) {
+            return mask.ranks[i] - (static_cast<double>(kPixels * frames) - 1) / 2;
+        };
+        double product = 0, square = 0;
+        for (std::size_t i = 0; i < kPixels; ++i) {
+            product += deviation(i) * deviation(kPixels + i);
+            square += deviation(i) * deviation(i);
+        }
+        EXPECT_LT(product / square, -0.1) << frames;
+    }
+}
+
 TEST(AThresholdMask, IsTheSameForASeedAndAnotherForAnother) {
     EXPECT_EQ(threshold_mask(32, 32, 3).ranks, threshold_mask(32, 32, 3).ranks);
     EXPECT_NE(threshold_mask(32, 32, 3).ranks, threshold_mask(32, 32, 4).ranks);
