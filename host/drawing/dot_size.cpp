@@ -149,6 +149,7 @@ std::vector<double> dot_diameters(std::span<const Point> points, const Field& fi
     const double diameter = std::sqrt(4 / std::numbers::pi * area);
     std::vector<double> diameters;
     diameters.reserve(points.size());
+    const bool suits_area = spread == Spread::random && !sizing.solid_black;
     std::vector<Ellipse> dots;
     for (const Point& point : points) {
         ask_after(4);
@@ -157,10 +158,11 @@ std::vector<double> dot_diameters(std::span<const Point> points, const Field& fi
         const double share = sizing.shares.empty() ? 1 : sizing.shares[index];
         diameters.push_back(diameter * in_steps(std::sqrt(sizing.area_at(importance) * share)) *
                             wider_at(importance, spread, sizing.solid_black));
-        dots.push_back(stretched(diameters.back() / 2,
-                                 field.stretches.empty() ? Stretch{} : field.stretches[index]));
+        if (suits_area)
+            dots.push_back(stretched(diameters.back() / 2,
+                                     field.stretches.empty() ? Stretch{} : field.stretches[index]));
     }
-    if (spread == Spread::even || sizing.solid_black) return diameters;
+    if (!suits_area) return diameters;
     const double times =
         times_for(darkness_of(field) * domain.width * domain.height, points, dots, domain);
     for (double& one : diameters) one *= times;

@@ -127,8 +127,7 @@ constexpr Row kRows[] = {
     {{"avoid", "FILE[:WIDTH]", Kind::obstacles, kPlaced, {.repeats = true}},
      "Obstacles that points stay away from: points of a .csv, by its column radius, or lines and "
      "outlines of a .svg, .geojson or .txt, within WIDTH; FILE.svg#NAME as for --inside; may be "
-     "given "
-     "several times"},
+     "given several times"},
     {{"edge", "E", Kind::number, kPlaced},
      "How far inside the outline of polygons points may begin (default: a sixteenth of the least "
      "radius)"},
@@ -182,7 +181,8 @@ constexpr Row kRows[] = {
      "Another seed gives another order of the points of a level (default 0)"},
     {{"seed", "S", Kind::whole, kMask}, "Another seed gives another tile (default 0)"},
     {{"frames", "N", Kind::whole, kMask},
-     "So many tiles, for the frames of a film, each in a file -o 'mask{frame}.png', from 0 on: the "
+     "The number of tiles, for the frames of a film, each in a file -o 'mask{frame}.png', from 0 "
+     "on: the "
      "values of a pixel, too, vary as fast as they can from frame to frame (default 1)"},
     {{"bits", "B", Kind::whole, kMask}, "Bits of a pixel, 8 or 16 (default 16)"},
     {{"seeds", "A..B", Kind::text, kSample},
@@ -260,8 +260,7 @@ constexpr Row kRows[] = {
     {{"frames", "PATTERN", Kind::text, kStipple},
      "In place of IMAGE: the pictures of a sequence, such as 'in/*.png', in the order of their "
      "names, each to a file -o 'out/{frame}.svg'. Each dot keeps its index, except with "
-     "--pen-path, "
-     "--path-line, --plot-time and --pens"},
+     "--pen-path, --path-line, --plot-time and --pens"},
     {{"keep-inside", "", Kind::flag, kStipple},
      "Keeps dots off white, and in the picture: dots that overhang an edge are moved inwards, and "
      "in a shape narrower than a dot they are smaller and denser, but not smaller than a pen. "

@@ -195,11 +195,15 @@ void read_domain(const std::string& option, const std::string& text, Domain& dom
     if (parse_whole_text(view, domain.height) != std::errc{}) refuse();
 }
 
+bool parse_raster(std::string_view text, Raster& raster) {
+    const std::size_t cross = text.find('x');
+    return cross != std::string_view::npos &&
+           parse_whole_text(text.substr(0, cross), raster.columns) == std::errc{} &&
+           parse_whole_text(text.substr(cross + 1), raster.rows) == std::errc{};
+}
+
 void read_raster(const std::string& option, const std::string& text, Raster& raster) {
-    const std::string_view view = text;
-    const std::size_t cross = std::min(view.find('x'), view.size());
-    if (parse_whole_text(view.substr(0, cross), raster.columns) != std::errc{} ||
-        parse_whole_text(view.substr(std::min(cross + 1, view.size())), raster.rows) != std::errc{})
+    if (!parse_raster(text, raster))
         throw BadRequest(option, shown(text), "must be COLUMNSxROWS in pixels, such as 512x80");
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lacuna::recipes {
@@ -28,7 +29,8 @@ std::vector<std::string> parts_of_list(const std::string& text);
 // The sides of a domain as WIDTHxHEIGHT.
 void read_domain(const std::string& option, const std::string& text, Domain& domain);
 
-// Columns and rows of pixels as COLUMNSxROWS.
+// Columns and rows of pixels as COLUMNSxROWS; parse_raster returns whether the text is that.
+bool parse_raster(std::string_view text, Raster& raster);
 void read_raster(const std::string& option, const std::string& text, Raster& raster);
 
 // white or black: Tone::on_black.

@@ -10,7 +10,7 @@
 
 namespace lacuna::verify {
 
-// Tells which kept points are no points of the set. Those outside of a box are not. If there are
+// Decides which kept points are no points of the set. Those outside of a box are not. If there are
 // such points, those on its upper edges are not either: they belong to the sets beside it.
 class Outside {
 public:

@@ -11,18 +11,11 @@
 #include <vector>
 
 #include "backends/radius_field_requests.h"
+#include "sample/chunk_requests.h"
 
 namespace chunks_of_classes_test {
 
 using namespace lacuna;
-
-Request of_classes() {
-    Request request;
-    request.classes.names = {"trees", "bushes", "grass"};
-    request.classes.distances = distances_by_sum(std::vector{0.06, 0.03, 0.012});
-    request.place.backend = "cpu";
-    return request;
-}
 
 // Classes with borders and masks of their own, beside points outside of all classes.
 TEST(ChunksOfClasses, WithPlacesOfTheirOwnAreProvenAndEqualTheReference) {
@@ -32,7 +25,7 @@ TEST(ChunksOfClasses, WithPlacesOfTheirOwnAreProvenAndEqualTheReference) {
     };
     std::size_t neighbours = 0;
     for (std::uint32_t i = 0; i < 60; ++i) {
-        Request request = of_classes();
+        Request request = tests::chunk_of_classes();
         Domain& domain = request.domain;
         domain.width = in(0.4, 1);
         domain.height = in(0.4, 1);
@@ -73,7 +66,7 @@ TEST(ChunksOfClasses, WithPlacesOfTheirOwnAreProvenAndEqualTheReference) {
 // The widest class keeps its border from the edges of the request's domain, wherever the points
 // outside are.
 TEST(ChunksOfClasses, MeasureBordersFromTheirOwnEdges) {
-    Request request = of_classes();
+    Request request = tests::chunk_of_classes();
     request.classes.borders = {0.2, 0.1, 0};
     const std::vector<Point> keep{{-0.01, 0.5}, {0.5, 1.1}};
     const std::vector<std::uint8_t> keep_classes{2, 0};

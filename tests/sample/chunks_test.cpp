@@ -18,6 +18,7 @@
 
 #include "backends/radius_field_requests.h"
 #include "refusal.h"
+#include "sample/chunk_requests.h"
 
 namespace chunks_test {
 
@@ -115,14 +116,6 @@ Request uniform(double radius) {
     return request;
 }
 
-Request of_classes() {
-    Request request;
-    request.classes.names = {"trees", "bushes", "grass"};
-    request.classes.distances = distances_by_sum(std::vector{0.06, 0.03, 0.012});
-    request.place.backend = "cpu";
-    return request;
-}
-
 // 3 x 3 chunks in random order. Each keeps the points of all that were made before, and is proven;
 // in the end all are one set.
 void expect_one_set(const Request& request, std::uint64_t seed) {
@@ -160,11 +153,11 @@ TEST(ChunkAfterChunk, MakesOneMaximalSetInAnyOrder) {
 }
 
 TEST(ChunkAfterChunk, MakesOneMaximalSetOfClasses) {
-    for (const std::uint64_t seed : {1U, 2U, 3U}) expect_one_set(of_classes(), seed);
+    for (const std::uint64_t seed : {1U, 2U, 3U}) expect_one_set(tests::chunk_of_classes(), seed);
 }
 
 TEST(ChunkAfterChunk, NeedsOnlyThePointsWithinTheGreatestDistance) {
-    for (const Request& request : {uniform(0.05), of_classes()}) {
+    for (const Request& request : {uniform(0.05), tests::chunk_of_classes()}) {
         Random random(3);
         Request first = request;
         first.domain = {1, 1, Boundary::box, -1, 0};

@@ -5,7 +5,6 @@
 #include <lacuna/threshold_mask.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -19,10 +18,12 @@
 #include "base/number_text.h"
 #include "cli/options/bind.h"
 #include "cli/options/common_options.h"
+#include "cli/options/frames.h"
 #include "cli/reports/output.h"
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/run_program.h"
 #include "pictures/grey_png.h"
+#include "recipes/read.h"
 
 namespace lacuna::cli {
 namespace {
@@ -54,24 +55,15 @@ struct MaskCommand {
     bool quiet = false;
 };
 
-struct Sides {
-    std::uint32_t columns = 0;
-    std::uint32_t rows = 0;
-};
-
 // WIDTHxHEIGHT in pixels.
-Sides sides_of(const std::string& text) {
-    Sides sides;
-    const char* const end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, sides.columns);
-    const bool has_cross = first.ec == std::errc{} && first.ptr != end && *first.ptr == 'x';
-    const auto second = std::from_chars(has_cross ? first.ptr + 1 : end, end, sides.rows);
-    if (!has_cross || second.ec != std::errc{} || second.ptr != end)
+Raster sides_of(const std::string& text) {
+    Raster sides;
+    if (!recipes::parse_raster(text, sides))
         throw BadUsage("SIZE " + shown(text) + ": must be WIDTHxHEIGHT in pixels, such as 64x64");
     return sides;
 }
 
-// The ranks in numbers of so many bits. Each number comes equally often, as far as that goes.
+// The ranks as numbers of `bits` bits. Each number comes equally often, to within one.
 std::vector<std::uint16_t> numbers_of(const ThresholdMask& mask, unsigned bits) {
     std::vector<std::uint16_t> numbers;
     numbers.reserve(mask.ranks.size());
@@ -83,30 +75,23 @@ std::vector<std::uint16_t> numbers_of(const ThresholdMask& mask, unsigned bits) 
 
 // The paths of all frames, with the frame's number in place of {frame}: first those of frame 0.
 std::vector<std::string> paths_of_frames(const MaskCommand& options) {
-    constexpr std::string_view kFrame = "{frame}";
     const std::vector<std::string>& paths = options.output.paths;
     if (!options.frames) return paths;
     constexpr std::uint32_t kMostFrames = 16384;  // of the smallest size
-    if (*options.frames > kMostFrames)
-        throw BadRequest("frames", std::to_string(*options.frames), "must be at most 16384");
+    const std::string frames = std::to_string(*options.frames);
+    if (*options.frames > kMostFrames) throw BadRequest("frames", frames, "must be at most 16384");
+    check_names_of_frames(frames, paths, "mask{frame}.png", "a file a tile");
     const std::uint32_t last = std::max(*options.frames, 1u) - 1;
+    const std::size_t digits = std::to_string(last).size();
     std::vector<std::string> all;
     for (std::uint32_t frame = 0; frame <= last; ++frame)
-        for (const std::string& path : paths) {
-            if (path.find(kFrame) == std::string::npos)
-                throw BadRequest("output", shown(path),
-                                 "must have {frame} in its name, for --frames: a file a tile");
-            const std::size_t digits = std::to_string(last).size();
-            all.push_back(with_name(path, kFrame, fmt::format("{:0{}}", frame, digits)));
-        }
-    if (all.empty())
-        throw BadRequest("frames", std::to_string(*options.frames),
-                         "needs an --output with {frame} in its name, such as 'mask{frame}.png'");
+        for (const std::string& path : paths)
+            all.push_back(path_of_frame(path, fmt::format("{:0{}}", frame, digits)));
     return all;
 }
 
 // A message names the argument as --help does.
-ThresholdMask made(const Sides& sides, const MaskCommand& options) {
+ThresholdMask made(const Raster& sides, const MaskCommand& options) {
     try {
         return threshold_mask(sides.columns, sides.rows, options.seed, options.frames.value_or(1));
     } catch (const BadRequest& error) {
@@ -116,7 +101,7 @@ ThresholdMask made(const Sides& sides, const MaskCommand& options) {
 }
 
 void run(const CommandLine& line, const MaskCommand& options) {
-    const Sides sides = sides_of(options.size);
+    const Raster sides = sides_of(options.size);
     if (options.bits != 8 && options.bits != 16)
         throw BadRequest("bits", std::to_string(options.bits), "must be 8 or 16");
     for (const std::string& path : options.output.paths)

@@ -107,16 +107,15 @@ std::vector<GivenFile> files_read(const CommandLine& line) {
         const std::string name = (option.is_argument() ? "" : "--") + std::string(name_in_table);
         for (const std::string& value : values) {
             if (option.kind == Kind::read_file) files.push_back({name, value});
-            if (option.kind == Kind::obstacles) files.push_back({name, path_of_obstacles(value)});
+            if (option.kind == Kind::obstacles)
+                files.push_back({name, domains::file_and_layer(path_of_obstacles(value)).file});
             if (option.kind == Kind::places)
-                files.push_back({name, class_and_path(value, classes).second});
+                files.push_back(
+                    {name, domains::file_and_layer(class_and_path(value, classes).second).file});
             if (option.kind == Kind::word_or_file && !recipes::is_among(value, option.traits.words))
                 files.push_back({name, value});
         }
     }
-    for (GivenFile& file : files)
-        if (file.name == "--inside" || file.name == "--outside" || file.name == "--avoid")
-            file.path = domains::file_and_layer(file.path).file;
     return files;
 }
 

@@ -61,14 +61,25 @@ void check_proportions(const std::vector<Frame>& frames) {
 
 }  // namespace
 
-std::vector<Frame> frames_of(const std::string& pattern, const std::vector<std::string>& outputs) {
+void check_names_of_frames(const std::string& value, const std::vector<std::string>& outputs,
+                           const char* example, const char* each) {
     if (outputs.empty())
-        throw BadRequest("frames", shown(pattern),
-                         "needs an --output with {frame} in its name, such as 'out/{frame}.svg'");
+        throw BadRequest(
+            "frames", value,
+            fmt::format("needs an --output with {} in its name, such as '{}'", kFrame, example));
     for (const std::string& path : outputs)
         if (path.find(kFrame) == std::string::npos)
-            throw BadRequest("output", shown(path),
-                             "must have {frame} in its name, for --frames: a file a picture");
+            throw BadRequest(
+                "output", shown(path),
+                fmt::format("must have {} in its name, for --frames: {}", kFrame, each));
+}
+
+std::string path_of_frame(const std::string& path, const std::string& name) {
+    return with_name(path, kFrame, name);
+}
+
+std::vector<Frame> frames_of(const std::string& pattern, const std::vector<std::string>& outputs) {
+    check_names_of_frames(shown(pattern), outputs, "out/{frame}.svg", "a file a picture");
     std::vector<Frame> frames;
     std::map<std::string, std::string> images;  // by their names
     for (const std::string& image : files_like(pattern)) {
@@ -79,8 +90,7 @@ std::vector<Frame> frames_of(const std::string& pattern, const std::vector<std::
                              "must match one picture of each name, not " + shown(other->second) +
                                  " and " + shown(image));
         Frame& frame = frames.emplace_back(Frame{image, {}});
-        for (const std::string& path : outputs)
-            frame.outputs.push_back(with_name(path, kFrame, name));
+        for (const std::string& path : outputs) frame.outputs.push_back(path_of_frame(path, name));
     }
     check_files(frames);
     check_proportions(frames);

@@ -1,10 +1,17 @@
-// --frames: the pictures of a sequence, and a file for each.
+// --frames: the pictures of a sequence, or the tiles of a film, and a file for each.
 #pragma once
 
 #include <string>
 #include <vector>
 
 namespace lacuna::cli {
+
+// Throws BadRequest for --frames VALUE if there is no output, or if one has no {frame} in its name.
+// `example` is such a name, and `each` says what each file has, as in "a file a picture".
+void check_names_of_frames(const std::string& value, const std::vector<std::string>& outputs,
+                           const char* example, const char* each);
+// The path with the frame's name in place of {frame}.
+std::string path_of_frame(const std::string& path, const std::string& name);
 
 struct Frame {
     std::string image;                 // its path

@@ -9,7 +9,7 @@
 namespace lacuna::recipes {
 
 // The dots of a picture before, some of which have jumped to where this picture needs them. `fair`
-// are as many dots that were placed anew, which shows how many each part of the picture needs.
+// are about as many dots that were placed anew: they show how many each part of the picture needs.
 //
 // Parts that have clearly more dots than they need give them to parts that have clearly fewer:
 // blocks of many sizes, from a part of the picture's width down to a few dots. All dots on pixels
