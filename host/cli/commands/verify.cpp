@@ -148,7 +148,7 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& 
     claim.points = points;
     claim.options = options.domain;
     Request request = request_of(line, options, given, file, name, claim);
-    take_borders(claim.options, request);
+    recipes::take_borders(claim.options.borders, claim.options.inside_by_radius, request);
     claim.name = name;
     claim.meant_to_be_maximal = file.maximal.value_or(true);
     claim.radii = radii_of(request);
@@ -232,7 +232,7 @@ void run(const CommandLine& line, const VerifyCommand& options) {
     for (const std::string& path : options.files) all.push_back(files::read_sets(path));
     DomainOptions domain = options.domain;
     if (domain.classes.given.empty() && !all.front().distances.empty())
-        domain.classes.known = all.front().classes.names;
+        domain.known_classes = all.front().classes.names;
     read_given_files(line, domain, given.request, given.files);
     std::vector<SetClaim> claims;
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -1,4 +1,4 @@
-// Reads classes and the distances between them.
+// Classes in files: matrices of distances, the class of each point, and what reports say.
 #include "cli/options/domain_options.h"
 
 #include <fmt/core.h>
@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -17,34 +16,11 @@
 #include "files/read_whole.h"
 #include "files/text_lines.h"
 #include "plan/sheets.h"
-#include "recipes/read.h"
 
 namespace lacuna::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct ClassText {
-    std::string name;
-    std::optional<double> radius;
-    double weight = 1;
-};
-
-ClassText read_class(const std::string& text) {
-    std::vector<std::string> parts(1);
-    for (const char c : text) {
-        if (c == ':')
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    }
-    ClassText read_text{parts.front(), {}, 1};
-    if (parts.size() > 3 || read_text.name.empty())
-        throw BadRequest("class", shown(text), "must be NAME:RADIUS or NAME:RADIUS:WEIGHT");
-    if (parts.size() > 1 && !parts[1].empty()) recipes::read("class", parts[1], read_text.radius);
-    if (parts.size() > 2) recipes::read("class", parts[2], read_text.weight);
-    return read_text;
-}
 
 // A row of numbers with commas or blanks between them.
 std::vector<double> numbers_of(std::string_view line, const std::string& place) {
@@ -95,74 +71,13 @@ std::vector<double> matrix_of_json(const std::string& bytes, const std::string& 
     return all;
 }
 
+}  // namespace
+
 std::vector<double> read_matrix(const std::string& path) {
     const std::string bytes = files::read_whole(path);
     const std::string name = files::name_of(path);
     if (path.ends_with(".json")) return matrix_of_json(bytes, name);
     return matrix_of_csv(files::without_byte_order_mark(bytes), name);
-}
-
-}  // namespace
-
-Classes read_classes(const ClassOptions& options) {
-    Classes classes;
-    if (options.given.empty()) return classes;
-    std::vector<double> radii;
-    for (const std::string& text : options.given) {
-        const ClassText one = read_class(text);
-        if (options.has_file() && one.radius)
-            throw BadRequest("class", shown(text),
-                             "must have no radius with distances from a file: give NAME or "
-                             "NAME::WEIGHT");
-        if (!options.has_file() && !one.radius)
-            throw BadRequest("class", shown(text), "needs a radius: give NAME:RADIUS");
-        if (one.radius && !(*one.radius > 0 && std::isfinite(*one.radius)))
-            throw BadRequest("class", shown(text), "its radius must be a finite number over 0");
-        classes.names.push_back(one.name);
-        classes.weights.push_back(one.weight);
-        radii.push_back(one.radius.value_or(0));
-    }
-    classes.distances = options.has_file()           ? read_matrix(options.between)
-                        : options.between == "union" ? distances_by_union(radii)
-                                                     : distances_by_sum(radii);
-    return classes;
-}
-
-void take_borders(const DomainOptions& options, Request& request) {
-    Classes& classes = request.classes;
-    const std::size_t count = classes.names.size();
-    if (options.inside_by_radius) {
-        classes.borders.clear();
-        // An object's diameter is the distance that two of its kind keep.
-        const double radius = request.radius.value_or(0) / 2;
-        if (classes.names.empty()) request.border = radius;
-        for (std::size_t i = 0; i < count; ++i)
-            classes.borders.push_back(classes.distances[i * (count + 1)] /
-                                      least_distance_of(classes) * radius);
-        return;
-    }
-    std::optional<double> of_all;
-    std::vector<std::optional<double>> own(count);
-    for (const std::string& text : options.borders) {
-        const std::size_t colon = text.find(':');
-        const auto found = std::find(classes.names.begin(), classes.names.end(),
-                                     text.substr(0, std::min(colon, text.size())));
-        if (colon != std::string::npos && found == classes.names.end())
-            throw BadRequest("border", shown(text),
-                             "must be D, or NAME:D with the name of a class");
-        std::optional<double>& border =
-            colon == std::string::npos
-                ? of_all
-                : own[static_cast<std::size_t>(found - classes.names.begin())];
-        if (border) throw BadRequest("border", shown(text), "is given twice");
-        recipes::read("border", colon == std::string::npos ? text : text.substr(colon + 1), border);
-    }
-    if (of_all) request.border = *of_all;
-    const auto has_own = [](const std::optional<double>& one) { return one.has_value(); };
-    if (std::none_of(own.begin(), own.end(), has_own)) return;
-    classes.borders.clear();
-    for (const std::optional<double>& one : own)
-        classes.borders.push_back(one.value_or(request.border));
 }
 
 std::pair<std::string, std::string> class_and_path(const std::string& text,

@@ -83,13 +83,6 @@ double least_radius(const Request& request, std::span<const PolygonSet> sets,
            std::sqrt(greatest);
 }
 
-// The radius or scale of classes is their least distance, unless one is given or there is a count.
-void give_size_of_classes(Request& request) {
-    std::optional<double>& size = request.field != nullptr ? request.scale : request.radius;
-    if (request.classes.names.empty() || request.count || size) return;
-    size = least_distance_of(request.classes);
-}
-
 // Reads the polygons. A BadRequest names the option that the path was given with.
 Polygons read_polygons_of(const std::string& option, const std::string& path) {
     try {
@@ -144,7 +137,7 @@ Targets targets_of(DomainOptions& options) {
 
 void read_given_files(const CommandLine& line, const DomainOptions& options, Request& request,
                       DomainFiles& files) {
-    request.classes = read_classes(options.classes);
+    request.classes = recipes::read_classes(options.classes, read_matrix);
     bool has_shape = line.has("domain");
     const auto give_shape = [&](const Domain& shape) {
         if (!has_shape) take_shape(shape, request);
@@ -169,8 +162,8 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
     for (const std::vector<std::string>* paths : {&options.inside, &options.outside})
         for (const std::string& text : *paths) {
             const auto& [own, path] =
-                class_and_path(text, options.classes.known.empty() ? request.classes.names
-                                                                   : options.classes.known);
+                class_and_path(text, options.known_classes.empty() ? request.classes.names
+                                                                   : options.known_classes);
             files.own.push_back(own);
             const bool forbidden = paths == &options.outside;
             const char* const option = forbidden ? "outside" : "inside";
@@ -198,7 +191,7 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
         give_shape(domain_like(files.mask->columns, files.mask->rows));
     }
     if (files.mask) request.mask = &*files.mask;
-    give_size_of_classes(request);
+    recipes::take_size_of_classes(request);
     if (options.keep.empty()) return;
     if (request.classes.names.empty()) {
         files.keep = files::read_points(options.keep);
@@ -275,7 +268,7 @@ double edge_of(const DomainOptions& options, const Request& request,
 void read_domain_files(const CommandLine& line, const DomainOptions& options, Request& request,
                        DomainFiles& files) {
     read_given_files(line, options, request, files);
-    take_borders(options, request);
+    recipes::take_borders(options.borders, options.inside_by_radius, request);
     if (files.polygons.empty()) return;
     const std::vector<std::vector<PolygonRing>> rings = rings_of(request, files);
     const std::vector<Clearances> all = clearances_of(options, request, files);

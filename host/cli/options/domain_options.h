@@ -22,19 +22,12 @@
 #include "drawing/dot_size.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
+#include "recipes/classes.h"
 
 namespace lacuna::cli {
 
-// Classes of points: --class and --between.
-struct ClassOptions {
-    std::vector<std::string> given;  // NAME:RADIUS:WEIGHT, where the last two may be missing
-    std::string between = "sum";     // a rule, or the path of a matrix
-    std::vector<std::string> known;  // names that files may be given for, if no class was given
-    bool has_file() const { return between != "sum" && between != "union"; }
-};
-
-// The classes, without names if none were given. Reads the matrix. Throws BadRequest and FileError.
-Classes read_classes(const ClassOptions& options);
+// The matrix of distances in a file of --between, row by row. Throws FileError.
+std::vector<double> read_matrix(const std::string& path);
 
 // The class that NAME:FILE is for, and FILE. The class is empty for FILE, which is for all: if no
 // class has the name before the first colon.
@@ -100,8 +93,9 @@ struct DomainOptions {
     std::vector<std::string> avoid;    // FILE or FILE:WIDTH
     std::optional<double> edge;
     std::string keep;
-    ClassOptions classes;
-    std::vector<std::string> borders;  // D or NAME:D
+    recipes::ClassOptions classes;
+    std::vector<std::string> known_classes;  // that files may be given for, if --class is not
+    std::vector<std::string> borders;        // D or NAME:D
     bool inside_by_radius = false;
 };
 
@@ -134,9 +128,6 @@ void take_shape(const Domain& shape, Request& request);
 // the mask (longer side 1). Draws no polygons. Throws BadRequest and files::FileError.
 void read_given_files(const CommandLine& line, const DomainOptions& options, Request& request,
                       DomainFiles& files);
-
-// Gives the request and its classes the borders of --border and --inside-by-radius.
-void take_borders(const DomainOptions& options, Request& request);
 
 // The clearances of each class if classes have borders or polygons of their own; otherwise those of
 // all.

@@ -1,0 +1,31 @@
+// Classes of points from the texts of options: the distances that they keep, and their borders.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <string>
+#include <vector>
+
+namespace lacuna::recipes {
+
+// --class and --between.
+struct ClassOptions {
+    std::vector<std::string> given;  // NAME:RADIUS:WEIGHT, where the last two may be missing
+    std::string between = "sum";     // a rule, or the path of a matrix
+    bool has_file() const { return between != "sum" && between != "union"; }
+};
+
+// The classes, without names if none were given. `read_matrix` reads the file of --between, class
+// by class in rows. Throws BadRequest and what `read_matrix` throws.
+Classes read_classes(const ClassOptions& options,
+                     std::vector<double> (*read_matrix)(const std::string& path));
+
+// Gives a request of classes a radius or, with a field, a scale: their least distance, unless the
+// request has one already, or a count.
+void take_size_of_classes(Request& request);
+
+// Gives the request and its classes the borders of --border, D or NAME:D each, or those of
+// --inside-by-radius. The request has its classes and its size. Throws BadRequest.
+void take_borders(const std::vector<std::string>& borders, bool inside_by_radius, Request& request);
+
+}  // namespace lacuna::recipes
