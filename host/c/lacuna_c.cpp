@@ -215,6 +215,9 @@ std::string lack_of(const Proof& proof, bool distances_only) {
     if (proof.outside)
         return point(*proof.outside) + ", numbered from 0, lies outside of the domain";
     if (proof.moved) return point(*proof.moved) + ", numbered from 0, is not the one that was kept";
+    if (proof.miscounted)
+        return "class " + std::to_string(*proof.miscounted) +
+               ", numbered from 0, has another number of points than asked for";
     if (proof.forbidden)
         return point(*proof.forbidden) + ", numbered from 0, lies where no point may";
     if (!proof.kept) return distance_in(proof);

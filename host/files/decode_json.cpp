@@ -42,6 +42,7 @@ struct JsonHeader {
     bool has_dots = false;
     std::vector<double> distances;
     std::vector<double> weights;
+    std::vector<std::optional<std::uint64_t>> counts;  // of each class
     std::vector<double> borders;
 };
 
@@ -60,7 +61,11 @@ public:
     // What the outermost object says. A member is empty if its key is missing or its value is 0.
     const JsonHeader& header() const { return header_; }
 
-    bool null() override { return scalar("null"); }
+    bool null() override {
+        if (in_object_ && key_ == "options" && key_within_ == "counts")
+            header_.counts.emplace_back();
+        return scalar("null");
+    }
     bool boolean(bool value) override {
         if (value) read_option("true");
         if (depth_ == 1 && in_object_ && key_ == "maximal") header_.maximal = value;
@@ -181,7 +186,15 @@ private:
         if (key_ == "ellipses") header_.ellipses.push_back(value);
         if (key_ == "options" && key_within_ == "distances") header_.distances.push_back(value);
         if (key_ == "options" && key_within_ == "weights") header_.weights.push_back(value);
+        if (key_ == "options" && key_within_ == "counts") header_.counts.emplace_back(whole(value));
         if (key_ == "options" && key_within_ == "borders") header_.borders.push_back(value);
+    }
+
+    std::uint64_t whole(double value) const {
+        if (!(value >= 1 && value < 0x1p53))
+            refuse(name_,
+                   fmt::format("\"{}\" has {}: must be a number of points", key_within_, value));
+        return static_cast<std::uint64_t>(value);
     }
 
     bool scalar(const std::string& what) {
@@ -262,6 +275,7 @@ void take_columns(const JsonHeader& header, const std::string& name, SetsOfFile&
     take_layers(header.inks, header.ink_of_point, "ink", "inks", name, points, file.inks);
     file.distances = header.distances;
     file.weights = header.weights;
+    file.counts = header.counts;
     file.borders = header.borders;
     const std::vector<double>& numbers = header.ellipses;
     if (!numbers.empty() && numbers.size() != 3 * points)

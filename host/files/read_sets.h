@@ -49,9 +49,10 @@ struct SetsOfFile {
     // The names of columns that were not read, such as radius. A command that writes these points
     // again would lose them.
     std::vector<std::string> other_columns;
-    // In .json: the distances of classes, how often each is drawn and their borders, as in Classes.
+    // In .json: the distances, weights, counts and borders of classes, as in Classes.
     std::vector<double> distances;
     std::vector<double> weights;
+    std::vector<std::optional<std::uint64_t>> counts;
     std::vector<double> borders;
 };
 

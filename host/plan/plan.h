@@ -93,6 +93,8 @@ struct Plan {
     std::uint64_t seed = 0;
     std::uint64_t first_draw = 0;  // the number of the first draw
     std::uint64_t limit = 0;       // stop at this number of samples
+    // Stop, too, at these numbers of samples of each class. Empty: at none.
+    std::vector<std::uint64_t> class_limits{};
     std::uint64_t round_size = 0;  // 0: chosen by rounds/round_policy.h
     bool tells_orders = false;     // whether rounds report the orders of the admitted draws
 

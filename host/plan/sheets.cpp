@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/number_text.h"
+#include "plan/kept.h"
 #include "plan/radius_field.h"
 
 namespace lacuna {
@@ -95,6 +96,34 @@ void check_distances(const Classes& classes) {
                              " times the least that is not 0");
 }
 
+void check_counts(const Request& request) {
+    const Classes& classes = request.classes;
+    const std::size_t count = classes.names.size();
+    if (classes.counts.empty()) return;
+    const auto refuse = [](const std::string& which, const std::string& why) {
+        throw BadRequest("class", which, why);
+    };
+    if (classes.counts.size() != count)
+        refuse(std::to_string(classes.counts.size()) + " numbers of points",
+               "must be one for each of the " + std::to_string(count) + " classes");
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::optional<std::uint64_t>& own = classes.counts[i];
+        if (!own) continue;
+        const std::string which = classes.names[i] + " with " + std::to_string(*own) + " points";
+        if (*own == 0) refuse(which, "must have at least 1; the weight 0 lets it have none");
+        if (!classes.weights.empty() && classes.weights[i] == 0)
+            refuse(which, "is not drawn, as its weight is 0");
+        if (count == 1) refuse(which, "is the only class: give a limit instead");
+        if (request.count || request.limit || request.progressive)
+            refuse(which, "is for sets without a count, a limit and a progressive order");
+        const Members members(request);
+        std::uint64_t kept = 0;
+        for (std::size_t k = 0; k < request.keep.size(); ++k)
+            if (request.keep_classes[k] == i && members.has(request.keep[k])) ++kept;
+        if (kept > *own) refuse(which, "has " + std::to_string(kept) + " kept ones already");
+    }
+}
+
 }  // namespace
 
 Sheets::Sheets(std::uint32_t count, std::span<const double> distances,
@@ -168,6 +197,11 @@ const Mask* mask_of(const Request& request, std::size_t of_class) {
     return own.empty() || own[of_class] == nullptr ? request.mask : own[of_class];
 }
 
+bool has_counts(const Classes& classes) {
+    const auto has_one = [](const auto& count) { return count.has_value(); };
+    return std::any_of(classes.counts.begin(), classes.counts.end(), has_one);
+}
+
 bool has_own_places(const Classes& classes) {
     return !classes.borders.empty() || !classes.masks.empty();
 }
@@ -205,6 +239,7 @@ void check_classes(const Request& request) {
             throw BadRequest("keep", "class " + std::to_string(of_point),
                              "must be less than " + std::to_string(classes.names.size()) +
                                  ", the number of classes");
+    check_counts(request);
 }
 
 namespace {

@@ -74,6 +74,8 @@ double border_of(const Request& request, std::size_t of_class);
 const Mask* mask_of(const Request& request, std::size_t of_class);
 // Whether a class may have a border or a mask of its own.
 bool has_own_places(const Classes& classes);
+// Whether a class has a number of points.
+bool has_counts(const Classes& classes);
 
 // Checks the names, radii, weights and distances of classes. Throws BadRequest.
 void check_classes(const Request& request);

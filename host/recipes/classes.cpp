@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct ClassText {
     std::string name;
     std::optional<double> radius;
     double weight = 1;
+    std::optional<std::uint64_t> count;
 };
 
 ClassText read_class(const std::string& text) {
@@ -29,11 +31,14 @@ ClassText read_class(const std::string& text) {
         else
             parts.back() += c;
     }
-    ClassText read_text{parts.front(), {}, 1};
-    if (parts.size() > 3 || read_text.name.empty())
-        throw BadRequest("class", shown(text), "must be NAME:RADIUS or NAME:RADIUS:WEIGHT");
+    ClassText read_text{parts.front(), {}, 1, {}};
+    if (parts.size() > 4 || read_text.name.empty())
+        throw BadRequest("class", shown(text),
+                         "must be NAME:RADIUS, NAME:RADIUS:WEIGHT or NAME:RADIUS:WEIGHT:N");
     if (parts.size() > 1 && !parts[1].empty()) read("class", parts[1], read_text.radius);
-    if (parts.size() > 2) read("class", parts[2], read_text.weight);
+    const bool has_weight = parts.size() == 3 || (parts.size() == 4 && !parts[2].empty());
+    if (has_weight) read("class", parts[2], read_text.weight);
+    if (parts.size() == 4) read("class", parts[3], read_text.count);
     return read_text;
 }
 
@@ -56,6 +61,7 @@ Classes read_classes(const ClassOptions& options,
             throw BadRequest("class", shown(text), "its radius must be a finite number over 0");
         classes.names.push_back(one.name);
         classes.weights.push_back(one.weight);
+        classes.counts.push_back(one.count);
         radii.push_back(one.radius.value_or(0));
     }
     classes.distances = options.has_file()           ? read_matrix(options.between)

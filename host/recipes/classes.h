@@ -10,7 +10,7 @@ namespace lacuna::recipes {
 
 // --class and --between.
 struct ClassOptions {
-    std::vector<std::string> given;  // NAME:RADIUS:WEIGHT, where the last two may be missing
+    std::vector<std::string> given;  // NAME:RADIUS:WEIGHT:N, where all but the name may be missing
     std::string between = "sum";     // a rule, or the path of a matrix
     bool has_file() const { return between != "sum" && between != "union"; }
 };

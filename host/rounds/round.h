@@ -52,6 +52,7 @@ using TakeSamples = std::function<void(std::span<const Sample>)>;
 // The result of all rounds of a plan.
 struct Outcome {
     std::uint64_t count = 0;      // of samples
+    bool is_cut = false;          // there may be room: the run ended at a limit
     std::vector<Sample> samples;  // in order of admission; none where TakeSamples took them
     std::uint64_t rounds = 0;
     std::uint64_t draws = 0;

@@ -16,6 +16,7 @@
 #include "base/number_text.h"
 #include "plan/checked_request.h"
 #include "plan/sheets.h"
+#include "sampling/class_counts.h"
 
 namespace lacuna {
 namespace {
@@ -55,6 +56,8 @@ void refuse_others(const Request& request) {
         refuse("with mode " + std::string(name_of(request.mode)), "is for mode exact");
     if (request.count) refuse("with a count", "each set would have a radius of its own");
     if (request.limit) refuse("with a limit", "sets that have gaps leave them between tiles, too");
+    if (has_counts(request.classes))
+        refuse("with numbers of points of classes", "there would be room at the edges of tiles");
     if (request.progressive) refuse("with a progressive order", "the frame would come first");
     if (!request.keep.empty()) refuse("with kept points", "the frame's points are kept");
 }

@@ -14,6 +14,7 @@
 #include "base/append.h"
 #include "base/large_pages.h"
 #include "plan/first_free.h"
+#include "rounds/quota.h"
 #include "rounds/round_policy.h"
 #include "sampling/timed_verbs.h"
 
@@ -32,11 +33,12 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer, const T
     TimedBackend backend(untimed, observer);
     TimedMarginal marginal(plan, backend, poll, observer);
     RoundPolicy policy(plan);
+    Quota quota(plan);
     backend.watch(may_go_on);
     const FirstFree all_free(plan);
     marginal.rebuild(all_free.lengths, plan.strip_width, all_free.widths, all_free.sheet_ends);
 
-    while (marginal.total() > 0 && outcome.count < plan.limit) {
+    while (marginal.total() > 0 && !quota.is_met()) {
         const std::span<const Draw> draws =
             marginal.invert(plan.first_draw + outcome.draws, policy.size());
         backend.locate(draws);
@@ -47,10 +49,9 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer, const T
             backend.subtract();
         const Round round = backend.finish_round();
 
-        const std::uint64_t wanted =
-            std::min<std::uint64_t>(round.samples.size(), plan.limit - outcome.count);
-        take(round.samples.first(static_cast<std::size_t>(wanted)));
-        outcome.count += wanted;
+        const std::span<const Sample> wanted = quota.wanted(round.samples);
+        take(wanted);
+        outcome.count += wanted.size();
         outcome.draws += draws.size();
         outcome.rounds++;
         policy.note(round.survivors, round.samples.size(), round.free_lengths.size(),
@@ -58,6 +59,7 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer, const T
         marginal.rebuild(round.free_lengths, round.bin_width, round.bin_widths, round.sheet_ends);
         poll();
     }
+    outcome.is_cut = quota.is_met();
     outcome.work = untimed.work();
     return outcome;
 }

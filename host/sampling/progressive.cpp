@@ -7,16 +7,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
+#include <utility>
 
 #include "base/power.h"
 #include "plan/checked_request.h"
 #include "plan/kept.h"
-#include "plan/make_plan.h"
-#include "plan/plan.h"
 #include "plan/radius_field.h"
 #include "plan/sizes.h"
 #include "sampling/generate.h"
+#include "sampling/stages.h"
 
 namespace lacuna {
 namespace {
@@ -90,27 +89,6 @@ int first_level(const CheckedRequest& request, const Sizes& sizes) {
     }
 }
 
-// Adds what earlier levels have done to what the current one reports.
-class Onward : public Observer {
-public:
-    Onward(Observer& observer, const Result& result, std::uint64_t expected)
-        : observer_(observer), result_(result), expected_(expected) {}
-
-    bool keep_going(const Progress& progress) override {
-        const std::uint64_t points = result_.points.size() + progress.points;
-        return observer_.keep_going(
-            {points, std::max(points, expected_), result_.rounds + progress.rounds});
-    }
-    void begin(Verb verb) override { observer_.begin(verb); }
-    void end(Verb verb) override { observer_.end(verb); }
-    bool times_verbs() const override { return observer_.times_verbs(); }
-
-private:
-    Observer& observer_;
-    const Result& result_;
-    std::uint64_t expected_;
-};
-
 }  // namespace
 
 Result progressive(const CheckedRequest& request, Observer& observer, const Poll& poll) {
@@ -118,33 +96,15 @@ Result progressive(const CheckedRequest& request, Observer& observer, const Poll
     const FieldSize last = check_radius_field_size(request, size_at_the_end(request, poll), poll);
     const std::optional<std::uint64_t> limit = at_size(request, sizes.at(0))->limit;
     const auto most = static_cast<std::uint64_t>(std::min(last.samples, 1e18));
-    Workers workers(request->place.threads);
-    Result result;
-    begin_points(request, 0, result);
-    std::vector<Sample> samples;  // of all levels
-    Onward onward(observer, result, std::min(most, limit.value_or(most)));
+    Stages stages(request, observer, std::min(most, limit.value_or(most)));
+    Result& result = stages.result();
     for (int level = first_level(request, sizes);; ++level) {
-        const CheckedRequest request_now = at_size(request, sizes.at(level));
-        Plan plan = make_radius_field_plan(request_now, poll, samples);
-        plan.first_draw = result.draws;
-        const Run run = run_on_backend(request_now, plan, onward);
-
-        append_points(plan, run.outcome.samples, workers, result);
-        samples.insert(samples.end(), run.outcome.samples.begin(), run.outcome.samples.end());
-        result.draws += run.outcome.draws;
-        result.work += run.outcome.work;
-        result.rounds += run.outcome.rounds;
-        result.radius = plan.user_radius;
-        result.scale = plan.user_scale;
-        result.lines_per_radius = plan.lines_per_radius;
-        result.backend = run.backend;
-        result.device = run.device;
-        const bool is_whole = run.outcome.count < plan.limit;
+        stages.run(at_size(request, sizes.at(level)), poll);
+        const bool is_whole = result.maximal;
         if (is_whole) result.levels.push_back({sizes.at(level), result.points.size()});
         if (is_whole && !sizes.is_last(level)) continue;
-        result.maximal = is_whole;
         if (limit) cut_points(std::min<std::size_t>(result.points.size(), *limit), result);
-        return result;
+        return std::move(result);
     }
 }
 

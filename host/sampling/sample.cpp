@@ -15,6 +15,7 @@
 #include "plan/kept.h"
 #include "plan/make_plan.h"
 #include "plan/plan.h"
+#include "sampling/class_counts.h"
 #include "sampling/count_search.h"
 #include "sampling/generate.h"
 #include "sampling/on_pixels.h"
@@ -44,7 +45,7 @@ Result run(const CheckedRequest& request, const std::optional<FieldSums>& sums,
     result.radius = plan.user_radius;
     result.scale = plan.user_scale;
     result.lines_per_radius = plan.lines_per_radius;
-    result.maximal = run.outcome.count < plan.limit;
+    result.maximal = !run.outcome.is_cut;
     result.rounds = run.outcome.rounds;
     result.draws = run.outcome.draws;
     result.work = run.outcome.work;
@@ -144,6 +145,7 @@ Result sample_checked(const CheckedRequest& request, Observer& observer) {
     if (request->mode == Mode::cells) sums = sums_of(*request->field, ask);
     if (!request->count) {
         check_kept_distances(request);
+        if (has_counts(request->classes)) return sample_with_counts(request, observer, ask);
         return run(request, sums, observer);
     }
 

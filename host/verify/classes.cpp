@@ -118,7 +118,9 @@ GapOfClass largest_gap_of_classes(const Fields& fields, const Claim& claim,
     const Kinds kinds(claim);
     GapOfClass largest{{}, 0};
     for (std::size_t kind = 0; kind < kinds.count(); ++kind) {
-        if (!claim.classes.weights.empty() && claim.classes.weights[kind] == 0) continue;
+        const Classes& classes = claim.classes;
+        if (!classes.weights.empty() && classes.weights[kind] == 0) continue;
+        if (!classes.counts.empty() && classes.counts[kind]) continue;
         std::vector<Disk> disks;
         for (std::size_t other = 0; other < kinds.count(); ++other) {
             if (kinds.share(other, kind) == 0) continue;

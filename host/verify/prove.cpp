@@ -43,6 +43,17 @@ std::optional<std::size_t> first_outside(std::span<const Point> points, const Do
     return static_cast<std::size_t>(outside - points.begin());
 }
 
+std::optional<std::size_t> first_miscounted(const Claim& claim) {
+    const auto& counts = claim.classes.counts;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const auto count = static_cast<std::uint64_t>(std::count(claim.class_of_points.begin(),
+                                                                 claim.class_of_points.end(),
+                                                                 static_cast<std::uint8_t>(i)));
+        if (counts[i] && *counts[i] != count) return i;
+    }
+    return std::nullopt;
+}
+
 // The samples with the smallest radius that each may have, where they are, for distances; and with
 // the largest one, from the domain's corner on, for gaps.
 struct Samples {
@@ -239,6 +250,8 @@ Proof prove(std::span<const Point> points, const Claim& claim,
     if (radius_field.has_ellipses()) check_longest_ellipse(claim, radius_field.most_radius());
     proof.outside = first_outside(points, domain);
     if (proof.outside) return proof;
+    proof.miscounted = first_miscounted(claim);
+    if (proof.miscounted) return proof;
     const WithNeighbours all(points, claim);
     if (is_uniform(claim)) {
         prove_uniform(all.points(), claim, domain, tolerance, patience, proof);

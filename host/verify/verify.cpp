@@ -163,6 +163,9 @@ void check_classes(const Claim& claim, std::size_t points) {
     if (!classes.weights.empty() && classes.weights.size() != count)
         throw BadRequest("class", std::to_string(classes.weights.size()) + " weights",
                          "must be " + std::to_string(count) + ", one for each class");
+    if (!classes.counts.empty() && classes.counts.size() != count)
+        throw BadRequest("class", std::to_string(classes.counts.size()) + " numbers of points",
+                         "must be " + std::to_string(count) + ", one for each class");
     if (claim.class_of_points.size() != points)
         throw BadRequest("class", std::to_string(claim.class_of_points.size()) + " points",
                          "have a class, but there are " + std::to_string(points) + " points");

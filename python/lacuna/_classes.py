@@ -9,14 +9,15 @@ from typing import TYPE_CHECKING, Any, SupportsFloat
 import numpy as np
 
 from . import _core
-from ._arguments import flag, real, shown
+from ._arguments import flag, real, shown, whole
 from ._errors import BadRequest
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    # A radius, or a radius and a weight; None and a weight, or None, if distances are given.
-    Size = float | tuple[float | None, float] | None
+    # A radius, or a radius and a weight, or these two and a number of points; None in place of the
+    # radius if distances are given.
+    Size = float | tuple[float | None, float] | tuple[float | None, float, int | None] | None
     ClassSizes = Mapping[str, Size]
     Border = SupportsFloat | Mapping[str, SupportsFloat]
     Bytes = npt.NDArray[np.uint8]
@@ -34,7 +35,7 @@ def classes_of(classes: ClassSizes | None, between: object) -> dict[str, Any]:
             f"{shown(classes)}"
         )
     sizes = [_size_of(name, size) for name, size in classes.items()]
-    radii = [radius for radius, _ in sizes]
+    radii = [radius for radius, _, _ in sizes]
     if isinstance(between, str):
         if between not in ("sum", "union"):
             raise BadRequest(
@@ -49,8 +50,10 @@ def classes_of(classes: ClassSizes | None, between: object) -> dict[str, Any]:
         if any(radius is not None for radius in radii):
             raise BadRequest("classes: need no radius, for between has all distances", "classes")
         distances = _matrix_of(between, len(radii))
-    weights = [weight for _, weight in sizes]
-    return {"class_names": list(classes), "distances": distances, "weights": weights}
+    weights = [weight for _, weight, _ in sizes]
+    counts = [count for _, _, count in sizes]
+    own = {"counts": counts} if any(count is not None for count in counts) else {}
+    return {"class_names": list(classes), "distances": distances, "weights": weights, **own}
 
 
 @dataclass(frozen=True)
@@ -97,11 +100,16 @@ def borders_of(
     return Borders(0.0, [real("border", border.get(name, 0.0)) for name in names], False)
 
 
-def _size_of(name: object, size: Any) -> tuple[float | None, float]:
+def _size_of(name: object, size: Any) -> tuple[float | None, float, int | None]:
     if not isinstance(name, str):
         raise TypeError(f"classes: a name must be a str, not {shown(name)}")
-    radius, weight = size if isinstance(size, tuple) and len(size) == 2 else (size, 1.0)
-    return None if radius is None else real("classes", radius), real("classes", weight)
+    is_several = isinstance(size, tuple) and len(size) in (2, 3)
+    radius, weight, count = (*size, None)[:3] if is_several else (size, 1.0, None)
+    return (
+        None if radius is None else real("classes", radius),
+        real("classes", weight),
+        None if count is None else whole("classes", count, 1, 2**63 - 1),
+    )
 
 
 def _matrix_of(between: Any, count: int) -> list[float]:

@@ -130,7 +130,8 @@ def sample(
         the set, but new points keep their distance from them: give those of the sets beside it.
     classes : dict of str to float, optional
         Points of several kinds: the radius of each by its name, or a radius and a weight, which
-        says how often the class is drawn. Then give no ``radius`` or ``scale``; with ``n`` the
+        says how often the class is drawn, or these two and how many points the class has, such as
+        ``(0.05, 1, 20)``; not with ``n``, ``limit`` and ``progressive``. Then give no ``radius`` or ``scale``; with ``n`` the
         radii are in proportion. With a field they are those where the importance is 1. At most 16.
     between : {'sum', 'union'} or array_like, shape (K, K)
         The least distance of two classes. 'sum': the sum of their radii, as of objects that do not

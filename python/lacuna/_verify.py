@@ -44,11 +44,15 @@ class Verdict:
         The claim holds, gaps were looked for, and the tolerance is at most 1 % of the least radius.
     kept, covered : bool or None
         Whether distances are kept, and whether all spots are covered. ``covered`` is None with
-        ``distances_only``. Both are None if there is an ``outside``, ``moved`` or ``forbidden``.
+        ``distances_only``. Both are None if there is an ``outside``, ``moved``, ``miscounted`` or
+        ``forbidden``.
     outside : int or None
         The first point outside the domain: nothing else is then looked at.
     moved : int or None
         The first point of ``keep`` that is not in its place: nothing else is then looked at.
+    miscounted : str or None
+        The first class that has another number of points than asked for: nothing else is then
+        looked at.
     forbidden, forbidden_by : int or None, str or None
         The first point that lies where no point may, and what forbids it: 'field', 'mask', 'inside'
         or 'border'. Nothing else is then looked at.
@@ -79,6 +83,7 @@ class Verdict:
     covered: bool | None
     outside: int | None
     moved: int | None
+    miscounted: str | None
     forbidden: int | None
     forbidden_by: str | None
     closest_pair: tuple[int, int] | None
@@ -131,6 +136,8 @@ def _reason(found: dict[str, Any], count: int, is_meant_to_be_maximal: bool) -> 
         return f"point {found['outside']} lies outside of the domain"
     if found["moved"] is not None:
         return f"point {found['moved']} is not the point of keep"
+    if found["miscounted"] is not None:
+        return f"class {found['miscounted']} has another number of points than asked for"
     if found["forbidden"] is not None:
         return f"point {found['forbidden']} lies where {found['forbidden_by']} allows none"
     if not found["kept"]:
@@ -300,6 +307,7 @@ def verify(
             "class_names": list(points.classes),
             "distances": points.distances.ravel().tolist(),
             "weights": own["weights"],
+            "counts": own["counts"],
         }
     if kinds and radius is None and scale is None:
         least = min((one for one in kinds["distances"] if one > 0), default=0.0)

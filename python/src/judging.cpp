@@ -65,7 +65,7 @@ Claim asked_claim(const nb::dict& given) {
 // The attributes of a Verdict, None where nothing is known.
 nb::dict verdict_of(const Proof& proof, const Claim& claim) {
     nb::dict found;
-    const bool in_place = !proof.outside && !proof.moved && !proof.forbidden;
+    const bool in_place = !proof.outside && !proof.moved && !proof.miscounted && !proof.forbidden;
     const bool gaps_known = in_place && !claim.distances_only;
     const auto known = [](bool is_known, auto value) {
         return is_known ? nb::cast(value) : nb::object(nb::none());
@@ -76,6 +76,8 @@ nb::dict verdict_of(const Proof& proof, const Claim& claim) {
     found["covered"] = known(gaps_known, proof.covered);
     found["outside"] = or_none(proof.outside);
     found["moved"] = or_none(proof.moved);
+    found["miscounted"] = nb::none();
+    if (proof.miscounted) found["miscounted"] = claim.classes.names[*proof.miscounted];
     found["forbidden"] = or_none(proof.forbidden);
     found["forbidden_by"] = known(proof.forbidden.has_value(), name_of(proof.forbidden_by));
     // Neighbours count, too.

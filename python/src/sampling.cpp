@@ -70,6 +70,7 @@ nb::dict promises_of(const Claim& claim) {
     promised["borders"] = claim.classes.borders;
     promised["distances_only"] = claim.distances_only;
     promised["weights"] = claim.classes.weights;
+    promised["counts"] = claim.classes.counts;
     const Members members({.domain = claim.domain, .keep = claim.keep});
     const auto is_inside = [&](Point point) { return members.has(point); };
     promised["kept"] = std::count_if(claim.keep.begin(), claim.keep.end(), is_inside);
@@ -150,6 +151,7 @@ void read_classes(const nb::dict& given, Classes& classes) {
     read(given, "class_names", classes.names);
     read(given, "distances", classes.distances);
     read(given, "weights", classes.weights);
+    read(given, "counts", classes.counts);
     read(given, "borders", classes.borders);
 }
 

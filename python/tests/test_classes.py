@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,25 @@ def test_classes_have_names_places_and_distances() -> None:
     assert np.isclose(made.distances[0, 1], (0.06**-2 + 0.025**-2) ** -0.5)
     counts = np.bincount(made.class_of)
     assert counts[0] < counts[1] < counts[2]
+
+
+def test_a_class_may_have_a_number_of_points(tmp_path: Path) -> None:
+    kinds = {"trees": (0.05, 1, 20), "grass": 0.01}
+    made = lacuna.sample(classes=kinds, seed=2)
+    assert (made.class_of == 0).sum() == 20 and made.maximal
+    assert lacuna.verify(made).maximal
+    assert lacuna.verify(made.points, classes=kinds, class_of=made.class_of).maximal
+    wrong = lacuna.verify(
+        made.points, classes={"trees": (0.05, 1, 21), "grass": 0.01}, class_of=made.class_of
+    )
+    assert not wrong and wrong.miscounted == "trees" and "number of points" in wrong.reason
+    made.save(tmp_path / "set.json")
+    options = json.loads((tmp_path / "set.json").read_text())["options"]
+    assert options["counts"] == [20, None] and options["weights"] == [1, 1]
+    with pytest.raises(lacuna.BadRequest, match="only [0-9]+ of its 400 points found room"):
+        lacuna.sample(classes={"trees": (0.05, 1, 400), "grass": 0.01})
+    with pytest.raises(TypeError, match="classes must be a whole number"):
+        lacuna.sample(classes={"trees": (0.05, 1, 2.5), "grass": 0.01})  # type: ignore[dict-item]
 
 
 def test_a_set_without_classes_has_none() -> None:

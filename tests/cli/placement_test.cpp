@@ -59,6 +59,35 @@ TEST(Classes, OfACountAreReportedWithTheDistancesThatTheyKeep) {
     EXPECT_NE(outcome.err.find(told), std::string::npos) << outcome.err << told;
 }
 
+TEST(Classes, HaveTheirNumbersOfPointsInFilesAndProofs) {
+    const Folder folder;
+    const std::string csv = folder.path("a.csv"), json = folder.path("a.json");
+    const Names asked{"--class",         "trees:0.05:1:12", "--class",
+                      "bushes:0.03::20", "--class",         "grass:0.01:2"};
+    ASSERT_EQ(sample_with(with(asked, {"-o", csv, "-o", json})).exit_code, 0);
+    const Json set = Json::parse(files::read_whole(json));
+    EXPECT_EQ(set["classes"][0]["count"], 12);
+    EXPECT_EQ(set["classes"][1]["count"], 20);
+    EXPECT_EQ(set["options"]["counts"], (Json{12, 20, nullptr}));
+    const std::string verdict = "a maximal Poisson-disk set of 3 classes with their numbers";
+    for (const Names& options : {Names{json}, with({csv}, asked)}) {
+        const Outcome proven = verify_with(options);
+        EXPECT_EQ(proven.exit_code, 0) << proven.out;
+        EXPECT_NE(proven.out.find(verdict), std::string::npos) << proven.out;
+    }
+    Names other = asked;
+    other[1] = "trees:0.05:1:13";
+    const Outcome refuted = verify_with(with({csv, "--json"}, other));
+    EXPECT_EQ(refuted.exit_code, 1);
+    const Json found = Json::parse(refuted.out)["sets"][0];
+    EXPECT_EQ(found["verdict"], "refused: class trees has 12 points in place of 13");
+    EXPECT_EQ(found["miscounted"], "trees");
+    EXPECT_EQ(sample_with({"--class", "a:0.1:1:2:3", "-o", csv}).err,
+              "lacuna: --class a:0.1:1:2:3: must be NAME:RADIUS, NAME:RADIUS:WEIGHT or "
+              "NAME:RADIUS:WEIGHT:N\n");
+    EXPECT_EQ(sample_with({"--class", "a:0.1:1:900", "--class", "b:0.1", "-o", csv}).exit_code, 2);
+}
+
 TEST(Classes, AreNamedInFilesAndProvenFromThem) {
     const Folder folder;
     const std::string csv = folder.path("a.csv"), json = folder.path("a.json");
@@ -154,7 +183,7 @@ TEST(Classes, AreRefusedInOneLine) {
     EXPECT_EQ(refusal({"--class", "trees"}),
               "lacuna: --class trees: needs a radius: give NAME:RADIUS\n");
     EXPECT_EQ(refusal({"--class", "a:1:1:1"}),
-              "lacuna: --class a:1:1:1: must be NAME:RADIUS or NAME:RADIUS:WEIGHT\n");
+              "lacuna: --class a with 1 points: is the only class: give a limit instead\n");
     EXPECT_EQ(refusal({"--class", "a:0"}),
               "lacuna: --class a:0: its radius must be a finite number over 0\n");
     write_file(folder.path("m.csv"), "1,2\n2\n");

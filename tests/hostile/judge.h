@@ -55,6 +55,8 @@ public:
         for (std::size_t kind = 0; kind < kinds(); ++kind) {
             const std::vector<double>& weights = request_.classes.weights;
             if (!weights.empty() && weights[kind] == 0) continue;
+            const auto& numbers = request_.classes.counts;
+            if (!numbers.empty() && numbers[kind]) continue;
             const auto of_kind = static_cast<std::uint8_t>(kind);
             for (int i = 0; i < kSpots; ++i) look_at(verify::any_place(random, domain_), of_kind);
             // Many classes of many points are looked at in part.

@@ -30,7 +30,8 @@ inline double any_corner(std::mt19937_64& random) {
 }
 
 // Adding the corner rounds kept points, so that they may be too close to each other, or to a
-// border: then the request is refused, and there is nothing to judge.
+// border, and polygons, so that the last spot for a point of a count may be gone: then the request
+// is refused, and there is nothing to judge.
 inline void judge_elsewhere(const Made& made, const std::vector<std::string>& backends,
                             std::mt19937_64& random, Counts& counts) {
     Request request = made.request;
@@ -59,7 +60,9 @@ inline void judge_elsewhere(const Made& made, const std::vector<std::string>& ba
         request.place.backend = backends[1 + random() % (backends.size() - 1)];
         set = sample(request);
     } catch (const BadRequest& error) {
-        demand(!kept.empty() && std::string_view(error.what()).starts_with("keep "),
+        const std::string_view why = error.what();
+        const bool has_no_spot = !sets.empty() && why.find("has no room") != why.npos;
+        demand(has_no_spot || (!kept.empty() && error.option() == "keep"),
                at + "the request is refused: " + error.what());
         return;
     }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <set>
 #include <span>
@@ -44,6 +45,10 @@ inline Claim claim_of(const Made& made, const Set& set) {
     if (!is_cut) claim.keep_classes = request.keep_classes;
     claim.classes = request.classes;
     claim.class_of_points = set.classes;
+    // Sets are judged without some of their points, too.
+    for (std::size_t i = 0; i < claim.classes.counts.size(); ++i)
+        if (std::optional<std::uint64_t>& own = claim.classes.counts[i])
+            own = std::count(set.classes.begin(), set.classes.end(), static_cast<std::uint8_t>(i));
     claim.distances_only = !set.is_maximal;
     return claim;
 }
@@ -93,6 +98,8 @@ inline void demand_refuted_without(const Made& made, Set set, std::size_t gone,
                                    std::mt19937_64& random, Counts& counts) {
     const Point at = set.points[gone];
     const std::uint8_t kind = set.classes.empty() ? std::uint8_t{0} : set.classes[gone];
+    const auto& numbers = made.request.classes.counts;
+    if (!numbers.empty() && numbers[kind]) return;  // there may have been room before
     const auto index = static_cast<std::ptrdiff_t>(gone);
     set.points.erase(set.points.begin() + index);
     if (!set.classes.empty()) set.classes.erase(set.classes.begin() + index);

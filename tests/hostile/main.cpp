@@ -26,6 +26,7 @@
 
 #include "hostile/answers.h"
 #include "hostile/capabilities.h"
+#include "hostile/judge_counts.h"
 #include "hostile/judge_elsewhere.h"
 #include "hostile/judge_set.h"
 #include "hostile/options.h"
@@ -84,6 +85,7 @@ private:
             if (made->is_moved())
                 tests::judge_moved(*made, answer.sets.front().points, answer.moved);
             covered_.cover(tests::levels_of(*made));
+            tests::judge_counts(*made, answer.sets, names_, random, counts_);
         } catch (const std::exception& error) {
             throw std::runtime_error(std::string(error.what()) + "\n  at --seed " +
                                      std::to_string(options_.seed) + " --skip " +

@@ -287,7 +287,7 @@ private:
         made.keep_all();
         // At the size that a count leads to, kept points may be too close together.
         while (is(kMode, "exact") && request.count && request.keep.size() > 1 &&
-               !is_fair(request)) {
+               !is_fair(request, made.seeds)) {
             made.keep.resize(made.keep.size() / 2);
             if (!made.keep_classes.empty()) made.keep_classes.resize(made.keep.size());
             made.neighbours.resize((made.neighbours.size() + 1) / 2);
@@ -343,10 +343,13 @@ private:
         }
     }
 
-    static bool is_fair(Request request) {
+    static bool is_fair(Request request, const std::vector<std::uint64_t>& seeds) {
         request.place.backend = "cpu";
         try {
-            sample(request);
+            for (const std::uint64_t seed : seeds) {
+                request.seed = seed;
+                sample(request);
+            }
         } catch (const BadRequest& error) {
             return error.option() != "keep";
         }

@@ -14,6 +14,7 @@
 
 #include "backends/reference/free_space.h"
 #include "base/polling.h"
+#include "rounds/quota.h"
 #include "rounds/random.h"
 #include "rounds/round_policy.h"
 #include "rounds/sheet_shares.h"
@@ -102,8 +103,9 @@ Outcome sample(const Plan& plan, Observer& observer) {
     Outcome outcome;
     const std::unique_ptr<FreeSpace> space = make_free_space(plan);
     RoundPolicy policy(plan);
+    Quota quota(plan);
 
-    while (outcome.samples.size() < plan.limit) {
+    while (!quota.is_met()) {
         const std::vector<std::uint64_t> cdf = marginal_cdf(plan, *space);
         if (cdf.empty() || cdf.back() == 0) break;  // nothing is free: the set is maximal
         const auto shares = shares_of_sheets(plan, *space, cdf);
@@ -124,17 +126,19 @@ Outcome sample(const Plan& plan, Observer& observer) {
             outcome.samples.push_back(candidate);
             outcome.numbers.push_back(number);
         }
-        space->end_round(std::span(outcome.samples).subspan(before), policy);
+        const auto added = std::span(outcome.samples).subspan(before);
+        space->end_round(added, policy);
 
         outcome.rounds++;
         const std::uint64_t points = outcome.samples.size();
         if (!observer.keep_going({points, std::max(points, plan.expected_samples), outcome.rounds}))
             throw Cancelled();
-        policy.note(survivors.size(), points - before, space->free_lengths().size(),
+        policy.note(survivors.size(), added.size(), space->free_lengths().size(),
                     space->bin_width());
+        outcome.samples.resize(before + quota.wanted(added).size());
     }
-    if (outcome.samples.size() > plan.limit) outcome.samples.resize(plan.limit);
     outcome.count = outcome.samples.size();
+    outcome.is_cut = quota.is_met();
     return outcome;
 }
 

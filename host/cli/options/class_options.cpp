@@ -147,6 +147,9 @@ Json json_of(const Classes& classes) {
     json["class_names"] = classes.names;
     json["distances"] = rows;
     json["weights"] = classes.weights;
+    if (has_counts(classes))
+        for (const auto& own : classes.counts)
+            json["counts"].push_back(own ? Json(*own) : Json(nullptr));
     if (!classes.borders.empty()) json["borders"] = classes.borders;
     return json;
 }

@@ -90,8 +90,10 @@ std::shared_ptr<const Field> use_values(const CommandLine& line, const files::Se
     }
     Classes& classes = request.classes;
     if (classes.names.empty() && !file.distances.empty())
-        classes = {
-            .names = file.classes.names, .distances = file.distances, .weights = file.weights};
+        classes = {.names = file.classes.names,
+                   .distances = file.distances,
+                   .weights = file.weights,
+                   .counts = file.counts};
     if (!line.has("border") && !line.has("inside-by-radius")) {
         request.border = number_of(file, "border").value_or(0);
         if (classes.names == file.classes.names) classes.borders = file.borders;

@@ -12,6 +12,7 @@
 #include "cli/reports/report.h"
 #include "cli/terminal/run_program.h"
 #include "plan/corner.h"
+#include "plan/sheets.h"
 #include "verify/neighbours.h"
 #include "verify/verify.h"
 
@@ -155,6 +156,12 @@ std::string refusal(const SetClaim& claim) {
         return fmt::format("refused: the set does not have point {} of {}, at {}, in its place",
                            *proof.moved, printable(claim.options.keep),
                            text(claim.keep[*proof.moved]));
+    if (proof.miscounted)
+        return fmt::format(
+            "refused: class {} has {} points in place of {}",
+            claim.classes.names[*proof.miscounted],
+            std::count(claim.own_classes.begin(), claim.own_classes.end(), *proof.miscounted),
+            *claim.classes.counts[*proof.miscounted]);
     if (proof.forbidden)
         return fmt::format("refused: point {} lies {}", numbered(claim, *proof.forbidden),
                            reason(claim));
@@ -167,7 +174,8 @@ std::string kind(const SetClaim& claim) {
                            ? fmt::format(" that follows the field at scale {}", claim.scale)
                            : fmt::format(" of radius {}", claim.radius);
     if (!claim.classes.names.empty())
-        kind = fmt::format(" of {} classes", claim.classes.names.size());
+        kind = fmt::format(" of {} classes{}", claim.classes.names.size(),
+                           has_counts(claim.classes) ? " with their numbers of points" : "");
     if (claim.mask != nullptr || !claim.rings.empty() || !borders(claim).empty())
         kind += " where points may lie";
     return kind;
@@ -269,7 +277,8 @@ Json json_of_one(const SetClaim& claim) {
         json["forbidden"] = {{"point", *proof.forbidden},
                              {"at", json_of(claim.points[*proof.forbidden])},
                              {"by", name_of(proof.forbidden_by)}};
-    if (proof.moved || proof.forbidden) return json;
+    if (proof.miscounted) json["miscounted"] = claim.classes.names[*proof.miscounted];
+    if (!refusal(claim).empty()) return json;
     json["distances_kept"] = proof.kept;
     json["closest_pair"] = nullptr;
     const std::size_t points = all_points(claim);

@@ -86,6 +86,12 @@ struct Classes {
     // How often each class is drawn, in proportion to the room that it still has; >= 0, not all 0.
     // Empty: all alike. A class of weight 0 is not drawn: its points are the kept ones.
     std::vector<double> weights{};
+    // How many points of each class there are, kept ones of the domain included; none: as many as
+    // have room. Classes that have a number come first, and the others fill the room that is left.
+    // The set is maximal in these alone, and not at all if all have a number. Empty: none has. For
+    // two classes or more, without Request::count, limit and progressive. sample() throws
+    // BadRequest if fewer points find room.
+    std::vector<std::optional<std::uint64_t>> counts{};
     // The border and the mask of each class, in place of Request::border and mask. Empty: those are
     // for all. A mask may be null: then it is Request::mask. All masks must outlive the call.
     std::vector<double> borders{};

@@ -82,7 +82,8 @@ struct Claim {
 
     // Classes of points, as in Request. No two points may be closer
     // than the distance of their classes, and no spot may be left where a point of any class with a
-    // weight has room. With a radius or scale the distances are in proportion, as in Request.
+    // weight, and without a count, has room. With a radius or scale the distances are in
+    // proportion, as in Request.
     Classes classes{};
     std::span<const std::uint8_t> class_of_points{};  // of each point: its place in the names
     // Polygons of each class, in place of those above; empty: those are for all. The borders and
@@ -105,6 +106,9 @@ struct Proof {
     // The first point of Claim::keep that is not in its place. If there is one, nothing else was
     // looked at.
     std::optional<std::size_t> moved{};
+    // The first class that has another number of points than Classes::counts says. If there is one,
+    // nothing else was looked at.
+    std::optional<std::size_t> miscounted{};
     // The first point that lies where no point may, and what forbids it. If there is one, nothing
     // else was looked at.
     enum class Closed { importance, mask, polygons, border };

@@ -1,0 +1,205 @@
+// Numbers of points of classes: exact, at the beginning of the same order, on every backend; the
+// other classes are full; proofs and refusals.
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+#include <lacuna/many.h>
+#include <lacuna/verify.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "backends/available.h"
+#include "backends/radius_field_requests.h"
+#include "fields.h"
+#include "refusal.h"
+
+namespace {
+
+using namespace lacuna;
+
+constexpr std::uint8_t kTrees = 0, kBushes = 1, kGrass = 2;
+
+Request wood() {
+    Request request;
+    request.classes.names = {"trees", "bushes", "grass"};
+    request.classes.distances = distances_by_sum(std::vector<double>{0.04, 0.02, 0.008});
+    request.place.backend = "cpu";
+    request.seed = 5;
+    return request;
+}
+
+std::uint64_t points_of(std::uint8_t of_class, const Result& set) {
+    return static_cast<std::uint64_t>(std::count(set.classes.begin(), set.classes.end(), of_class));
+}
+
+void expect_proven(const Request& request, const Result& set) {
+    const Proof proof = prove(set.points, claim_of(request, set));
+    EXPECT_TRUE(proof.kept && proof.covered && proof.maximal);
+}
+
+TEST(CountsOfClasses, AreExactAndTheOtherClassesFull) {
+    Request request = wood();
+    request.classes.counts = {60, {}, {}};
+    for (request.seed = 0; request.seed < 20; ++request.seed) {
+        const Result set = sample(request);
+        ASSERT_EQ(points_of(kTrees, set), 60U);
+        ASSERT_TRUE(set.maximal);
+        expect_proven(request, set);
+    }
+}
+
+TEST(CountsOfClasses, ComeFirstAsIfTheOthersWereNotThere) {
+    Request request = wood();
+    request.classes.counts = {{}, 60, {}};
+    const Result set = sample(request);
+    request.classes.counts.clear();
+    request.classes.weights = {0, 1, 0};
+    request.limit = 60;
+    const Result alone = sample(request);
+    EXPECT_TRUE(std::equal(alone.points.begin(), alone.points.end(), set.points.begin()));
+    EXPECT_EQ(points_of(kBushes, set), 60U);
+    EXPECT_GT(points_of(kTrees, set), 5U);
+    EXPECT_GT(points_of(kGrass, set), 500U);
+}
+
+class CountsOfClassesOn : public tests::OnBackend {};
+
+TEST_P(CountsOfClassesOn, EveryBackendAreThoseOfTheReference) {
+    const Field field = tests::noise_field(6, 5, 3);
+    const Mask mask = tests::noise_mask(4, 4, 8);
+    const std::vector<Point> keep{{0.5, 0.5}, {-0.01, 0.3}, {0.8, 0.2}};
+    const std::vector<std::uint8_t> keep_classes{kTrees, kTrees, kBushes};
+    for (const int kind : {0, 1, 2, 3}) {
+        SCOPED_TRACE(kind);
+        Request request = wood();
+        request.classes.counts = {8, 15, {}};
+        if (kind == 1) request.field = &field;
+        if (kind == 2) request.classes.masks = {nullptr, &mask, nullptr};
+        if (kind == 3) {
+            request.keep = keep;
+            request.keep_classes = keep_classes;
+        } else {
+            request.domain.boundary = Boundary::torus;
+        }
+        request.place.backend = "reference";
+        const Result expected = sample(request);
+        EXPECT_EQ(points_of(kTrees, expected), 8U);
+        EXPECT_EQ(points_of(kBushes, expected), 15U);
+        expect_proven(request, expected);
+        request.place.backend = GetParam();
+        const Result set = sample(request);
+        EXPECT_EQ(set.points, expected.points);
+        EXPECT_EQ(set.classes, expected.classes);
+        EXPECT_EQ(set.draws, expected.draws);
+        EXPECT_EQ(set.rounds, expected.rounds);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Parallel, CountsOfClassesOn, tests::kParallelBackends,
+                         tests::name_of_parameter);
+
+TEST(CountsOfClasses, OfAllClassesLeaveRoom) {
+    Request request = wood();
+    request.classes.counts = {5, 6, 7};
+    const Result set = sample(request);
+    EXPECT_EQ(set.points.size(), 18U);
+    EXPECT_FALSE(set.maximal);
+    EXPECT_TRUE(claim_of(request, set).distances_only);
+}
+
+TEST(CountsOfClasses, IncludeKeptPoints) {
+    Request request = wood();
+    request.classes.counts = {2, {}, {}};
+    const std::vector<Point> keep{{0.5, 0.5}, {0.2, 0.2}};
+    const std::vector<std::uint8_t> both_trees{kTrees, kTrees};
+    request.keep = keep;
+    request.keep_classes = both_trees;
+    const Result set = sample(request);
+    EXPECT_EQ(points_of(kTrees, set), 2U);
+    expect_proven(request, set);
+    request.classes.counts = {1, {}, {}};
+    EXPECT_EQ(tests::refusal_of([&] { sample(request); }),
+              "class trees with 1 points: has 2 kept ones already");
+}
+
+TEST(CountsOfClasses, HoldForEachSeed) {
+    Request request = wood();
+    request.classes.counts = {9, {}, {}};
+    const std::vector<std::uint64_t> seeds{1, 2, 3, 4};
+    std::size_t sets = 0;
+    sample_many(request, seeds, [&](std::uint64_t, Result set) {
+        EXPECT_EQ(points_of(kTrees, set), 9U);
+        ++sets;
+    });
+    EXPECT_EQ(sets, seeds.size());
+}
+
+TEST(CountsOfClasses, AreProvenAndRefuted) {
+    Request request = wood();
+    request.classes.counts = {10, {}, {}};
+    Result set = sample(request);
+    Claim claim = claim_of(request, set);
+    claim.classes.counts = {11, {}, {}};
+    EXPECT_EQ(prove(set.points, claim).miscounted, kTrees);
+    EXPECT_FALSE(prove(set.points, claim).maximal);
+
+    // Without a blade of grass there is room for one.
+    const auto last = std::find(set.classes.rbegin(), set.classes.rend(), kGrass);
+    const auto place = set.classes.rend() - last - 1;
+    set.points.erase(set.points.begin() + place);
+    set.classes.erase(set.classes.begin() + place);
+    const Proof without = prove(set.points, claim_of(request, set));
+    EXPECT_FALSE(without.covered);
+    EXPECT_EQ(without.largest_gap_class, kGrass);
+
+    claim = claim_of(request, set);
+    claim.classes.counts = {10};
+    EXPECT_EQ(tests::refusal_of([&] { prove(set.points, claim); }),
+              "class 1 numbers of points: must be 3, one for each class");
+}
+
+TEST(CountsOfClasses, AreRefusedInOneLine) {
+    const auto refusal = [](const auto& change) {
+        Request request = wood();
+        request.classes.counts = {10, {}, {}};
+        change(request);
+        return tests::refusal_of([&] { sample(request); });
+    };
+    EXPECT_EQ(refusal([](Request& r) {
+                  r.classes.counts = {5000, {}, {}};
+              }).substr(0, 18),
+              "class trees: only ");
+    EXPECT_EQ(refusal([](Request& r) {
+                  r.classes.counts = {0, {}, {}};
+              }),
+              "class trees with 0 points: must have at least 1; the weight 0 lets it have none");
+    EXPECT_EQ(refusal([](Request& r) {
+                  r.classes.counts = {1, 2};
+              }),
+              "class 2 numbers of points: must be one for each of the 3 classes");
+    EXPECT_EQ(refusal([](Request& r) {
+                  r.classes.weights = {0, 1, 1};
+              }),
+              "class trees with 10 points: is not drawn, as its weight is 0");
+    const std::string with_others =
+        "class trees with 10 points: is for sets without a count, a limit and a progressive order";
+    EXPECT_EQ(refusal([](Request& r) { r.count = 100; }), with_others);
+    EXPECT_EQ(refusal([](Request& r) { r.limit = 100; }), with_others);
+    EXPECT_EQ(refusal([](Request& r) { r.progressive = true; }), with_others);
+    EXPECT_EQ(refusal([](Request& r) {
+                  r.classes = {.names = {"trees"}, .distances = {0.1}, .counts = {{10}}};
+              }),
+              "class trees with 10 points: is the only class: give a limit instead");
+
+    Request tiles = wood();
+    tiles.domain.boundary = Boundary::torus;
+    tiles.classes.counts = {10, {}, {}};
+    EXPECT_EQ(tests::refusal_of([&] { frame_of(tiles, 0.2); }),
+              "frame with numbers of points of classes: there would be room at the edges of tiles");
+}
+
+}  // namespace
