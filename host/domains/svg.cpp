@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -21,9 +20,9 @@
 #include "domains/join.h"
 #include "domains/outline.h"
 #include "domains/rings.h"
+#include "domains/svg_element.h"
 #include "domains/svg_path.h"
 #include "domains/svg_style.h"
-#include "domains/svg_words.h"
 #include "files/parse.h"
 
 namespace lacuna::domains {
@@ -32,38 +31,6 @@ namespace {
 constexpr int kDeepest = 200;
 constexpr double kTolerance = 0x1p-20;             // in lengths of the page's longer side
 constexpr std::size_t kMostElements = 10'000'000;  // an element counts each time it is used
-
-// The name without a namespace prefix.
-std::string_view local_name(const char* name) {
-    const std::string_view all = name;
-    const std::size_t colon = all.find(':');
-    return colon == std::string_view::npos ? all : all.substr(colon + 1);
-}
-
-struct Page {
-    double left;
-    double top;
-    double width;
-    double height;
-};
-
-// A length in px, which is 1/96 of an inch.
-std::optional<double> pixels_of(std::string_view text) {
-    constexpr std::array<std::pair<std::string_view, double>, 7> kUnits{{{"", 1},
-                                                                         {"px", 1},
-                                                                         {"in", 96},
-                                                                         {"cm", 96 / 2.54},
-                                                                         {"mm", 96 / 25.4},
-                                                                         {"pt", 96 / 72.0},
-                                                                         {"pc", 16}}};
-    SvgWords words(text);
-    const std::optional<double> number = words.take_number();
-    const std::string_view unit = words.take_word();
-    if (!number || !words.at_end()) return std::nullopt;
-    for (const auto& [name, factor] : kUnits)
-        if (unit == name) return *number * factor;
-    return std::nullopt;
-}
 
 // What an element hands on to those within it.
 struct Inherited {
@@ -80,7 +47,7 @@ struct Inherited {
 class Drawing {
 public:
     // Only what `layer`, an id or Inkscape's label, contains is read; all if it is empty.
-    Drawing(const std::string& name, pugi::xml_node root, const Page& page, Take take,
+    Drawing(const std::string& name, pugi::xml_node root, const SvgPage& page, Take take,
             std::string_view layer)
         : name_(name),
           page_(page),
@@ -88,7 +55,7 @@ public:
           outline_(kTolerance * std::max(page.width, page.height), take) {
         remember(root);
         if (layer.empty()) return;
-        layer_ = find_layer(root, layer);
+        layer_ = find_layer(name, root, layer);
         for (pugi::xml_node node = layer_; node; node = node.parent()) around_.push_back(node);
     }
 
@@ -110,11 +77,7 @@ public:
 
 private:
     [[noreturn]] void refuse(pugi::xml_node node, const std::string& why) const {
-        const std::string_view id = node.attribute("id").value();
-        const std::string what =
-            id.empty() ? fmt::format("byte {}: <{}>", node.offset_debug(), node.name())
-                       : fmt::format("<{} id={}>", node.name(), files::excerpt(id));
-        files::refuse(fmt::format("{}: {}", name_, what), why);
+        SvgElement(name_, node).refuse(why);
     }
 
     // Records the elements by their id, for `use`, and reads the style sheets.
@@ -130,40 +93,6 @@ private:
         } walker;
         walker.drawing = this;
         root.traverse(walker);
-    }
-
-    // The only element with this id or, if there is none, with this label.
-    pugi::xml_node find_layer(pugi::xml_node root, std::string_view layer) const {
-        struct Walker : pugi::xml_tree_walker {
-            std::string_view layer;
-            std::array<std::vector<pugi::xml_node>, 2> found;  // by id, by label
-            std::array<std::vector<std::string>, 2> names;
-            bool for_each(pugi::xml_node& node) override {
-                for (const std::size_t kind : {0U, 1U}) {
-                    const std::string_view name =
-                        node.attribute(kind == 0 ? "id" : "inkscape:label").value();
-                    if (!name.empty()) names[kind].push_back(files::excerpt(name));
-                    if (name == layer) found[kind].push_back(node);
-                }
-                return true;
-            }
-        } walker;
-        walker.layer = layer;
-        walker.for_each(root);  // which traverse() leaves out
-        root.traverse(walker);
-        const bool has_label = walker.found[0].empty();
-        const std::vector<pugi::xml_node>& found = walker.found[has_label ? 1 : 0];
-        if (found.size() == 1) return found.front();
-        if (!found.empty())
-            files::refuse(name_,
-                          fmt::format("{} elements have the {} {}: must be one", found.size(),
-                                      has_label ? "label" : "id", files::excerpt(layer)));
-        std::vector<std::string>& names = walker.names[walker.names[1].empty() ? 0 : 1];
-        constexpr std::size_t kShown = 8;
-        const char* const more = names.size() > kShown ? ", ..." : "";
-        names.resize(std::min(names.size(), kShown));
-        files::refuse(name_, fmt::format("no element has the id or the label {}: there are {}{}",
-                                         files::excerpt(layer), fmt::join(names, ", "), more));
     }
 
     // Whether an element may contain something of the layer, or lies in it.
@@ -246,9 +175,10 @@ private:
         const bool is_attribute = style.is_attribute(Property::transform);
         const std::string& value = style.of(Property::transform);
         if (is_attribute)
-            check(node, read_transform(node.attribute("transform").value(), transform));
+            SvgElement(name_, node)
+                .check(read_transform(node.attribute("transform").value(), transform));
         else if (!is_none(value))
-            check(node, read_css_transform(value, transform));
+            SvgElement(name_, node).check(read_css_transform(value, transform));
     }
 
     void draw_node(pugi::xml_node node, const Inherited& outer, int depth) {
@@ -286,9 +216,10 @@ private:
                    fmt::format("{} is not read, and changes where a shape is: cut or move the "
                                "shape itself",
                                name_of(here.by)));
-        check_geometry(node, kind, style);
+        const SvgElement element(name_, node);
+        element.check_sizes(style);
         outline_.set_transform(here.transform);
-        draw_shape(node, kind);
+        element.draw(outline_);
         const bool has_open = outline_.has_open_lines();
         if (take_ == Take::insides && (kind == "line" || (has_open && !here.is_filled)))
             refuse(node,
@@ -310,38 +241,12 @@ private:
                 return draw_node(node, here, depth);
     }
 
-    // Style sheets may give sizes, too, in place of attributes.
-    void check_geometry(pugi::xml_node node, std::string_view kind, const Style& style) const {
-        const auto refuse_if = [&](std::string_view of, std::initializer_list<Property> given) {
-            for (const Property property : given)
-                if (kind == of && !style.of(property).empty())
-                    refuse(node,
-                           fmt::format("{} {} of a style: must be an attribute", name_of(property),
-                                       files::excerpt(style.of(property))));
-        };
-        refuse_if("path", {Property::d});
-        refuse_if("rect", {Property::x, Property::y, Property::width, Property::height,
-                           Property::rx, Property::ry});
-        refuse_if("circle", {Property::cx, Property::cy, Property::r});
-        refuse_if("ellipse", {Property::cx, Property::cy, Property::rx, Property::ry});
-    }
-
     void take_shape(Fill fill) {
         std::vector<PolygonRing> rings = outline_.take_rings();
         if (take_ == Take::lines)
             std::move(rings.begin(), rings.end(), std::back_inserter(lines_));
         else if (!rings.empty())
             polygons_.push_back({std::move(rings), fill});
-    }
-
-    static bool is_shape(std::string_view kind) {
-        constexpr std::array<std::string_view, 6> kShapes{"path", "polygon", "polyline",
-                                                          "rect", "circle",  "ellipse"};
-        return std::find(kShapes.begin(), kShapes.end(), kind) != kShapes.end();
-    }
-
-    void check(pugi::xml_node node, const std::optional<std::string>& wrong) const {
-        if (wrong) refuse(node, *wrong);
     }
 
     void draw_used(pugi::xml_node node, Inherited inherited, int depth) {
@@ -351,80 +256,16 @@ private:
         if (found == by_id_.end())
             refuse(node, fmt::format("uses {}: must be # and the id of an element of this file",
                                      files::excerpt(link)));
-        const Affine moved{1, 0, 0, 1, number(node, "x", 0), number(node, "y", 0)};
+        const SvgElement use(name_, node);
+        const Affine moved{1, 0, 0, 1, use.number("x", 0), use.number("y", 0)};
         inherited.transform = inherited.transform.after(moved);
         ++depth_of_use_;
         draw_node(found->second, inherited, depth + 1);
         --depth_of_use_;
     }
 
-    // An attribute's length in user units.
-    double number(pugi::xml_node node, const char* key, double otherwise) const {
-        const pugi::xml_attribute attribute = node.attribute(key);
-        if (!attribute) return otherwise;
-        const std::optional<double> found = pixels_of(attribute.value());
-        if (!found)
-            refuse(node, fmt::format("{} is {}: must be a number, of px, mm, cm, in, pt or pc", key,
-                                     files::excerpt(attribute.value())));
-        return *found;
-    }
-
-    double size(pugi::xml_node node, const char* key, double otherwise) const {
-        const double found = number(node, key, otherwise);
-        if (found < 0) refuse(node, fmt::format("{} is {}: must be at least 0", key, found));
-        return found;
-    }
-
-    void draw_shape(pugi::xml_node node, std::string_view kind) {
-        if (kind == "line") {
-            outline_.move_to({number(node, "x1", 0), number(node, "y1", 0)});
-            return outline_.line_to({number(node, "x2", 0), number(node, "y2", 0)});
-        }
-        if (kind == "path") return check(node, draw_path(node.attribute("d").value(), outline_));
-        if (kind == "rect") return draw_rect(node);
-        if (kind == "circle") {
-            const double radius = size(node, "r", 0);
-            return draw_ellipse(node, radius, radius);
-        }
-        if (kind == "ellipse") return draw_ellipse(node, size(node, "rx", 0), size(node, "ry", 0));
-        check(node, draw_points(node.attribute("points").value(), outline_));
-        if (kind == "polygon") outline_.close();
-    }
-
-    void draw_ellipse(pugi::xml_node node, double rx, double ry) {
-        const Point middle{number(node, "cx", 0), number(node, "cy", 0)};
-        if (rx == 0 || ry == 0) return;
-        outline_.move_to({middle.x + rx, middle.y});
-        outline_.arc_to({rx, ry, 0}, false, true, {middle.x - rx, middle.y});
-        outline_.arc_to({rx, ry, 0}, false, true, {middle.x + rx, middle.y});
-        outline_.close();
-    }
-
-    void draw_rect(pugi::xml_node node) {
-        const double x = number(node, "x", 0);
-        const double y = number(node, "y", 0);
-        const double width = size(node, "width", 0);
-        const double height = size(node, "height", 0);
-        if (width == 0 || height == 0) return;
-        double rx = size(node, "rx", size(node, "ry", 0));
-        double ry = size(node, "ry", rx);
-        rx = std::min(rx, width / 2);
-        ry = std::min(ry, height / 2);
-        const Ellipse corner{rx, ry, 0};
-        outline_.move_to({x + rx, y});
-        outline_.line_to({x + width - rx, y});
-        outline_.arc_to(corner, false, true, {x + width, y + ry});
-        outline_.line_to({x + width, y + height - ry});
-        outline_.arc_to(corner, false, true, {x + width - rx, y + height});
-        outline_.line_to({x + rx, y + height});
-        outline_.arc_to(corner, false, true, {x, y + height - ry});
-        outline_.line_to({x, y + ry});
-        outline_.arc_to(corner, false, true, {x + rx, y});
-        outline_.close();
-    }
-
     const std::string& name_;
-    Page page_;
+    SvgPage page_;
     Take take_;
     Outline outline_;
     std::vector<Polygon> polygons_;
@@ -436,32 +277,6 @@ private:
     std::size_t elements_ = 0;
     int depth_of_use_ = 0;
 };
-
-Page page_of(pugi::xml_node svg, const std::string& name) {
-    Page page{0, 0, 0, 0};
-    if (const pugi::xml_attribute box = svg.attribute("viewBox")) {
-        SvgWords words(box.value());
-        for (double* number : {&page.left, &page.top, &page.width, &page.height}) {
-            const std::optional<double> found = words.take_number();
-            *number = found.value_or(0);
-        }
-        if (!words.at_end()) page.width = 0;
-        if (page.width > 0 && page.height > 0 && is_fair({page.left, page.top}) &&
-            is_fair({page.width, page.height}))
-            return page;
-        files::refuse(name, fmt::format("viewBox is {}: must be four numbers, left, top, width and "
-                                        "height, the last two over 0",
-                                        files::excerpt(box.value())));
-    }
-    const std::string_view width = svg.attribute("width").value();
-    const std::string_view height = svg.attribute("height").value();
-    page.width = pixels_of(width).value_or(0);
-    page.height = pixels_of(height).value_or(0);
-    if (page.width > 0 && page.height > 0 && is_fair({page.width, page.height})) return page;
-    files::refuse(name, fmt::format("without a viewBox, width {} and height {}: there must be a "
-                                    "viewBox, or both sizes over 0, in px, mm, cm, in, pt or pc",
-                                    files::excerpt(width), files::excerpt(height)));
-}
 
 }  // namespace
 
@@ -480,7 +295,7 @@ Polygons decode_svg(std::string_view bytes, const std::string& name, Take take,
     if (local_name(svg.name()) != "svg")
         files::refuse(name, fmt::format("the outermost element is <{}>: must be <svg>",
                                         files::excerpt(svg.name())));
-    return Drawing(name, svg, page_of(svg, name), take, layer).draw(svg);
+    return Drawing(name, svg, page_of(name, svg), take, layer).draw(svg);
 }
 
 }  // namespace lacuna::domains

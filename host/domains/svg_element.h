@@ -1,0 +1,67 @@
+// An element of an SVG drawing: its lengths, and the outline of a shape.
+#pragma once
+
+#include <optional>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+
+#include "domains/outline.h"
+#include "domains/svg_style.h"
+
+namespace lacuna::domains {
+
+// The name without a namespace prefix.
+std::string_view local_name(const char* name);
+
+// The viewBox, or the width and height of an <svg>.
+struct SvgPage {
+    double left;
+    double top;
+    double width;
+    double height;
+};
+// Throws FileError, which names `file`.
+SvgPage page_of(const std::string& file, pugi::xml_node svg);
+
+// A length in px, which is 1/96 of an inch.
+std::optional<double> pixels_of(std::string_view text);
+
+// Whether an element of this name is a shape that has an inside.
+bool is_shape(std::string_view name);
+
+// The only element with this id or, if there is none, with this label of Inkscape. `file` is named
+// in messages. Throws FileError.
+pugi::xml_node find_layer(const std::string& file, pugi::xml_node root, std::string_view layer);
+
+class SvgElement {
+public:
+    // `file` is named in messages, and must outlive the element.
+    SvgElement(const std::string& file, pugi::xml_node node) : file_(file), node_(node) {}
+
+    // Throws FileError that names the file and the element.
+    [[noreturn]] void refuse(const std::string& why) const;
+    void check(const std::optional<std::string>& wrong) const {
+        if (wrong) refuse(*wrong);
+    }
+
+    // An attribute's length in px. Throws FileError.
+    double number(const char* key, double otherwise) const;
+
+    // Style sheets may give sizes, too, in place of attributes: these are refused with FileError.
+    void check_sizes(const Style& style) const;
+
+    // Draws a shape or a line. Throws FileError.
+    void draw(Outline& outline) const;
+
+private:
+    // A length of at least 0.
+    double size(const char* key, double otherwise) const;
+    void draw_ellipse(double rx, double ry, Outline& outline) const;
+    void draw_rect(Outline& outline) const;
+
+    const std::string& file_;
+    pugi::xml_node node_;
+};
+
+}  // namespace lacuna::domains
