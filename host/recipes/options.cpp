@@ -114,8 +114,9 @@ constexpr Row kRows[] = {
      "The least distance of two classes. sum (default): the sum of their radii, as of objects that "
      "do not overlap; union: each class alone and all together are evenly distributed; or a file "
      "of distances, .csv or .json, a row and a column a class, which leaves no R to --class"},
-    {{"mask", "IMAGE", Kind::read_file, kPlaced},
-     "A picture that says where points may lie: on pixels that are neither black nor transparent"},
+    {{"mask", "[NAME:]IMAGE", Kind::places, kPlaced, {.repeats = true}},
+     "A picture that says where points may lie: on pixels that are neither black nor transparent; "
+     "NAME:IMAGE is that of one class, and may be given for each"},
     {{"inside", "[NAME:]FILE", Kind::places, kPlaced, {.repeats = true}},
      "Polygons that points must lie in: .svg, .geojson or .txt (`x y` on each line, a blank line "
      "between rings); FILE.svg#NAME is the part with this id or Inkscape label; polygons that "

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, SupportsFloat
 import numpy as np
 
 from . import _core
-from ._arguments import flag, real, shown, whole
+from ._arguments import flag, mask_of, real, shown, whole
 from ._errors import BadRequest
 
 if TYPE_CHECKING:
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     Size = float | tuple[float | None, float] | tuple[float | None, float, int | None] | None
     ClassSizes = Mapping[str, Size]
     Border = SupportsFloat | Mapping[str, SupportsFloat]
+    Masks = npt.ArrayLike | Mapping[str | None, npt.ArrayLike]
     Bytes = npt.NDArray[np.uint8]
 
 
@@ -98,6 +99,21 @@ def borders_of(
         if name not in names:
             raise BadRequest(f"border {shown(name)}: must be the name of a class", "border")
     return Borders(0.0, [real("border", border.get(name, 0.0)) for name in names], False)
+
+
+def masks_of(
+    mask: Masks | None, kinds: dict[str, Any]
+) -> tuple[_core.Mask | None, dict[str, Any]]:
+    """The mask of all points, and an option with those of the classes that have their own."""
+    if not isinstance(mask, Mapping):
+        return None if mask is None else mask_of("mask", mask), {}
+    names = kinds.get("class_names", [])
+    for name in mask:
+        if name is not None and name not in names:
+            raise BadRequest(f"mask {shown(name)}: must be the name of a class", "mask")
+    each = {name: mask_of("mask", one) for name, one in mask.items()}
+    own = {"masks": [each.get(name) for name in names]} if each.keys() - {None} else {}
+    return each.get(None), own
 
 
 def _size_of(name: object, size: Any) -> tuple[float | None, float, int | None]:

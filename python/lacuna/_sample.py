@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, Collection, Iterable, Iterator, Literal, 
 from typing import SupportsFloat, TypedDict, Unpack, overload
 
 from . import _core
-from ._arguments import MOST_64, importance_of, mask_of, options, points_array, raster_in, real
+from ._arguments import MOST_64, importance_of, options, points_array, raster_in, real
 from ._arguments import shape_of, shown, watched, whole
-from ._classes import borders_of, classes_of, classes_of_points
+from ._classes import borders_of, classes_of, classes_of_points, masks_of
 from ._errors import BadRequest, MemoryRefused
 from ._polygons import around, places_of, sets_on
 from ._sets import PointSet, set_attributes
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from ._arguments import Domain, Metric, Mode, Progress, Seed, Whole
-    from ._classes import Border, ClassSizes
+    from ._classes import Border, ClassSizes, Masks
     from ._polygons import Obstacles, PlacesOfClasses
 
 # The most sets in a batch, and for an iterator the most points. A batch is made by one call of the
@@ -40,7 +40,7 @@ def sample(
     ellipses: npt.ArrayLike | None = None,
     scale: SupportsFloat | None = None,
     metric: Metric | None = None,
-    mask: npt.ArrayLike | None = None,
+    mask: Masks | None = None,
     inside: PlacesOfClasses = None,
     outside: PlacesOfClasses = None,
     avoid: Obstacles | None = None,
@@ -104,6 +104,7 @@ def sample(
     mask : array_like, shape (rows, columns), optional
         Points may lie on pixels that are not 0 or False. The mask is stretched over the domain. Row
         0 is the top. Any real dtype, byte order and strides. ``draw_mask`` makes one of polygons.
+        With classes also a dict: that of a class by its name, and by None that of the others.
     inside, outside : Polygons, iterable of array_like, or list of Polygons, optional
         Polygons in which points must lie, and must not lie: outlines of shape (N, 2) in the unit of
         ``domain``, y upwards, or what ``read_polygons`` gives. Of several Polygons a point lies in
@@ -262,16 +263,16 @@ def sample(
     importance = importance_of(field, ellipses)
     if ellipses is not None and scale is None and n is None:
         scale = 1
-    allowed = None if mask is None else mask_of("mask", mask)
     kept = None if keep is None else points_array("keep", keep)
     kinds = classes_of(classes, between)
+    allowed, own_masks = masks_of(mask, kinds)
     least = min((one for one in kinds.get("distances", ()) if one > 0), default=radius)
     borders = borders_of(border, inside_by_radius, kinds, least)
     places = places_of(inside, outside, avoid)
     if domain is None and on_pixels is not None:
         domain = raster_in("on_pixels", on_pixels)
     if domain is None:
-        domain = shape_of(importance, allowed) or around(places)
+        domain = shape_of(importance, allowed, *own_masks.get("masks", ())) or around(places)
     asked = options(
         radius=radius, n=n, scale=scale, metric=metric, domain=domain, on_pixels=on_pixels,
         torus=torus, mode=mode,
@@ -280,7 +281,7 @@ def sample(
         snap=snap, uniform_x=uniform_x, round_size=round_size, backend=backend, device=device,
         threads=threads, memory_limit=memory_limit,
     )  # fmt: skip
-    asked.update(kinds | borders.options)
+    asked.update(kinds | borders.options | own_masks)
     arrays = {
         "field": field, "ellipses": ellipses, "mask": mask, "inside": inside, "outside": outside,
         "avoid": avoid, "keep": keep, "class": classes,
@@ -292,7 +293,8 @@ def sample(
     with watched(progress) as told:
         made = _core.sample(asked, importance, allowed, sets, kept, of_kept, told)
     # The command names the files of these.
-    files = {"keep": keep, "field": field, "ellipses": ellipses, "mask": allowed or places or None}
+    where = allowed or own_masks or places or None
+    files = {"keep": keep, "field": field, "ellipses": ellipses, "mask": where}
     said: dict[str, Any] = {name: "an array" for name, one in files.items() if one is not None}
     if borders.are_radii:
         said["inside_by_radius"] = made["_promised"]["inside_by_radius"] = True

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Iterable, Mapping, SupportsFloat
 import numpy as np
 
 from . import _core, _plots
-from ._arguments import flag, importance_of, mask_of, options, points_array, shape_of, shown
-from ._classes import Borders, borders_of, classes_of, classes_of_points
+from ._arguments import flag, importance_of, options, points_array, shape_of, shown
+from ._classes import Borders, borders_of, classes_of, classes_of_points, masks_of
 from ._errors import BadRequest
 from ._polygons import around, places_of, sets_on
 from ._sets import HasPoints, PointSet, domain_of
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ._arguments import Domain, Extent
-    from ._classes import Border, ClassSizes
+    from ._classes import Border, ClassSizes, Masks
     from ._polygons import Obstacles, PlacesOfClasses
 
     Floats = npt.NDArray[np.float64]
@@ -194,7 +194,7 @@ def verify(
     field: npt.ArrayLike | None = None,
     ellipses: npt.ArrayLike | None = None,
     scale: SupportsFloat | None = None,
-    mask: npt.ArrayLike | None = None,
+    mask: Masks | None = None,
     inside: PlacesOfClasses = None,
     outside: PlacesOfClasses = None,
     avoid: Obstacles | None = None,
@@ -230,7 +230,7 @@ def verify(
         With a field the radius where importance is 1. By default a PointSet's own. With ellipses a
         factor of all radii, by default a PointSet's own, else 1.
     mask : array_like, shape (rows, columns), optional
-        Where points may lie, as of ``sample``. Spots where no point may lie need not be covered.
+        Where points may lie, as of ``sample``, also of classes. Spots where no point may lie need not be covered.
     inside, outside : Polygons, iterable of array_like, or list of Polygons, optional
         Polygons in which points must lie, and must not lie, as of ``draw_mask``. They are used as
         they are, not drawn onto a mask.
@@ -298,7 +298,6 @@ def verify(
     own: Mapping[str, Any] = points._promised if isinstance(points, PointSet) else {}
     array = points_array("points", points)
     importance = importance_of(field, ellipses)
-    allowed = None if mask is None else mask_of("mask", mask)
     kinds = classes_of(classes, between)
     of_points: Iterable[object] | None = None
     if isinstance(points, PointSet) and points.distances is not None:
@@ -309,6 +308,7 @@ def verify(
             "weights": own["weights"],
             "counts": own["counts"],
         }
+    allowed, own_masks = masks_of(mask, kinds)
     if kinds and radius is None and scale is None:
         least = min((one for one in kinds["distances"] if one > 0), default=0.0)
         size = {"radius" if importance is None else "scale": least}
@@ -323,7 +323,7 @@ def verify(
         borders = borders_of(
             0 if border is None else border, bool(inside_by_radius), kinds, size.get("radius")
         )
-    if borders.are_radii and (importance is not None or allowed is not None):
+    if borders.are_radii and (importance is not None or mask is not None):
         raise BadRequest(
             "inside_by_radius with a field, ellipses or a mask: is for disks and outlines",
             "inside_by_radius",
@@ -338,7 +338,7 @@ def verify(
                 raise BadRequest(f"{name} missing: the set was made with one: give it too", name)
     shape = None
     if domain is None and not isinstance(points, HasPoints):
-        shape = shape_of(importance, allowed) or around(places)
+        shape = shape_of(importance, allowed, *own_masks.get("masks", ())) or around(places)
     asked = options(
         **domain_of(points, domain, torus, shape),
         **size,
@@ -346,7 +346,7 @@ def verify(
         tolerance=tolerance,
         distances_only=distances_only,
     )
-    asked.update(kinds | borders.options)
+    asked.update(kinds | borders.options | own_masks)
     kept, of_kept = np.empty((0, 2)), None
     if keep is not None:
         kept = points_array("keep", keep)

@@ -153,6 +153,7 @@ void read_classes(const nb::dict& given, Classes& classes) {
     read(given, "weights", classes.weights);
     read(given, "counts", classes.counts);
     read(given, "borders", classes.borders);
+    read(given, "masks", classes.masks);
 }
 
 namespace {

@@ -47,6 +47,25 @@ def test_a_class_may_have_a_number_of_points(tmp_path: Path) -> None:
         lacuna.sample(classes={"trees": (0.05, 1, 2.5), "grass": 0.01})  # type: ignore[dict-item]
 
 
+def test_a_class_may_have_a_mask_of_its_own() -> None:
+    left = np.arange(32) < 16
+    kinds = {"trees": 0.05, "grass": 0.01}
+    mask: dict[str | None, Any] = {"trees": left * np.ones((32, 1))}
+    made = lacuna.sample(classes=kinds, mask=mask, seed=2)
+    trees = made.points[made.class_of == 0]
+    assert len(trees) > 20 and trees[:, 0].max() < 0.5 < made.points[:, 0].max()
+    assert lacuna.verify(made, mask=mask).maximal
+    wrong = lacuna.verify(made, mask={"grass": mask["trees"]})
+    assert wrong.forbidden_by == "mask"
+    both = lacuna.sample(classes=kinds, mask={**mask, None: mask["trees"].T}, seed=2)
+    grass = both.points[both.class_of == 1]
+    assert len(grass) > 100 and grass[:, 1].min() > 0.5
+    with pytest.raises(lacuna.BadRequest, match="mask 'tree': must be the name of a class"):
+        lacuna.sample(classes=kinds, mask={"tree": left * np.ones((32, 1))})
+    with pytest.raises(lacuna.BadRequest, match="mask missing"):
+        lacuna.verify(made)
+
+
 def test_a_set_without_classes_has_none() -> None:
     made = lacuna.sample(0.1, seed=1)
     assert made.classes == () and made.class_of is None and made.distances is None

@@ -88,6 +88,32 @@ TEST(Classes, HaveTheirNumbersOfPointsInFilesAndProofs) {
     EXPECT_EQ(sample_with({"--class", "a:0.1:1:900", "--class", "b:0.1", "-o", csv}).exit_code, 2);
 }
 
+TEST(Classes, HaveMasksOfTheirOwn) {
+    const Folder folder;
+    const std::string left = folder.path("left.pgm"), top = folder.path("top.pgm");
+    write_file(left, std::string("P5 2 1 255\n") + '\xff' + '\0');
+    write_file(top, std::string("P5 1 2 255\n") + '\xff' + '\0');
+    const std::string csv = folder.path("a.csv"), json = folder.path("a.json");
+    const Names kinds{"--class", "trees:0.05", "--class", "grass:0.01", "--domain", "1x1"};
+    const Names masks{"--mask", "trees:" + left, "--mask", top};
+    ASSERT_EQ(sample_with(with(with(kinds, masks), {"-o", csv, "-o", json})).exit_code, 0);
+    std::size_t trees = 0;
+    for (const std::string& line : lines_of(files::read_whole(csv))) {
+        const bool is_grass = line.ends_with(",grass");
+        if (!is_grass && !line.ends_with(",trees")) continue;
+        trees += is_grass ? 0 : 1;
+        const double x = std::stod(line), y = std::stod(line.substr(line.find(',') + 1));
+        EXPECT_TRUE(is_grass ? y > 0.5 : x < 0.5) << line;
+    }
+    EXPECT_GT(trees, 20U);
+    for (const Names& options : {with(with({csv}, kinds), masks), with({json}, masks)})
+        EXPECT_EQ(verify_with(options).exit_code, 0);
+    EXPECT_EQ(verify_with({json, "--mask", top}).exit_code, 1);
+    EXPECT_EQ(verify_with({json}).exit_code, 2);
+    EXPECT_EQ(verify_with({json, "--mask", "trees:" + left, "--mask", "trees:" + top}).err,
+              "lacuna: --mask trees:" + top + ": a second mask of class trees\n");
+}
+
 TEST(Classes, AreNamedInFilesAndProvenFromThem) {
     const Folder folder;
     const std::string csv = folder.path("a.csv"), json = folder.path("a.json");

@@ -149,6 +149,7 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& 
     claim.options = options.domain;
     Request request = request_of(line, options, given, file, name, claim);
     recipes::take_borders(claim.options.borders, claim.options.inside_by_radius, request);
+    take_masks(given.files, request);
     claim.name = name;
     claim.meant_to_be_maximal = file.maximal.value_or(true);
     claim.radii = radii_of(request);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -109,6 +110,28 @@ void repeat(const Request& request, std::vector<PolygonRing>& rings) {
             }
 }
 
+// The names of classes that files may be given for.
+const std::vector<std::string>& names_of_classes(const DomainOptions& options,
+                                                 const Request& request) {
+    return options.known_classes.empty() ? request.classes.names : options.known_classes;
+}
+
+// Reads the pictures of --mask, the first of which may give the domain its shape.
+void read_masks(const DomainOptions& options, const std::function<void(const Domain&)>& give_shape,
+                Request& request, DomainFiles& files) {
+    for (const std::string& text : options.mask) {
+        const auto& [own, path] = class_and_path(text, names_of_classes(options, request));
+        const auto [read, is_new] = files.pictures.try_emplace(own);
+        if (!is_new)
+            throw BadRequest(
+                "mask", shown(text),
+                own.empty() ? "a second mask for all points" : "a second mask of class " + own);
+        read->second = read_mask(path);
+        give_shape(domain_like(read->second.columns, read->second.rows));
+        if (own.empty()) request.mask = &read->second;
+    }
+}
+
 }  // namespace
 
 void take_shape(const Domain& shape, Request& request) {
@@ -161,9 +184,7 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
     }
     for (const std::vector<std::string>* paths : {&options.inside, &options.outside})
         for (const std::string& text : *paths) {
-            const auto& [own, path] =
-                class_and_path(text, options.known_classes.empty() ? request.classes.names
-                                                                   : options.known_classes);
+            const auto& [own, path] = class_and_path(text, names_of_classes(options, request));
             files.own.push_back(own);
             const bool forbidden = paths == &options.outside;
             const char* const option = forbidden ? "outside" : "inside";
@@ -186,11 +207,7 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
         for (std::size_t i = 0; i < sets.size(); ++i) sets[i].rings = files.polygons[i].rings;
         give_shape(domain_around(sets));
     }
-    if (!options.mask.empty()) {
-        files.mask = read_mask(options.mask);
-        give_shape(domain_like(files.mask->columns, files.mask->rows));
-    }
-    if (files.mask) request.mask = &*files.mask;
+    read_masks(options, give_shape, request, files);
     recipes::take_size_of_classes(request);
     if (options.keep.empty()) return;
     if (request.classes.names.empty()) {
@@ -214,6 +231,18 @@ std::vector<std::vector<PolygonRing>> rings_of(const Request& request, const Dom
         if (is_obstacle && request.domain.wraps()) repeat(request, rings.back());
     }
     return rings;
+}
+
+void take_masks(const DomainFiles& files, Request& request) {
+    Classes& classes = request.classes;
+    classes.masks.clear();
+    for (const auto& [own, mask] : files.pictures) {
+        if (own.empty()) continue;
+        const auto found = std::find(classes.names.begin(), classes.names.end(), own);
+        if (found == classes.names.end()) throw BadRequest("mask", own, "is no class of this set");
+        classes.masks.resize(classes.names.size());
+        classes.masks[static_cast<std::size_t>(found - classes.names.begin())] = &mask;
+    }
 }
 
 std::vector<Clearances> clearances_of(const DomainOptions& options, const Request& request,
@@ -269,6 +298,7 @@ void read_domain_files(const CommandLine& line, const DomainOptions& options, Re
                        DomainFiles& files) {
     read_given_files(line, options, request, files);
     recipes::take_borders(options.borders, options.inside_by_radius, request);
+    take_masks(files, request);
     if (files.polygons.empty()) return;
     const std::vector<std::vector<PolygonRing>> rings = rings_of(request, files);
     const std::vector<Clearances> all = clearances_of(options, request, files);
@@ -316,11 +346,11 @@ Json json_of(const DomainOptions& options, const Request& request, const DomainF
         json["field"] = options.field.path;
         json.update(json_of_importance(options.field.importance));
     }
-    if (!options.mask.empty()) json["mask"] = options.mask;
     // One name is a text, and several are a list.
     const auto add_paths = [&](const char* name, const std::vector<std::string>& paths) {
         if (!paths.empty()) json[name] = paths.size() == 1 ? Json(paths.front()) : Json(paths);
     };
+    add_paths("mask", options.mask);
     add_paths("inside", options.inside);
     add_paths("outside", options.outside);
     add_paths("avoid", options.avoid);

@@ -87,7 +87,7 @@ std::string path_of_obstacles(const std::string& text);
 struct DomainOptions {
     Picture field;
     EllipseOptions ellipses;
-    std::string mask;
+    std::vector<std::string> mask;     // IMAGE or NAME:IMAGE
     std::vector<std::string> inside;   // FILE or NAME:FILE
     std::vector<std::string> outside;  // likewise
     std::vector<std::string> avoid;    // FILE or FILE:WIDTH
@@ -104,8 +104,9 @@ using Clearances = std::vector<std::pair<std::size_t, double>>;
 
 // The contents of the files. The request points into it.
 struct DomainFiles {
-    std::optional<Field> field;  // read from --field, or of the ellipses
-    std::optional<Mask> mask;    // read from --mask, or drawn from the polygons
+    std::optional<Field> field;            // read from --field, or of the ellipses
+    std::optional<Mask> mask;              // drawn from the polygons
+    std::map<std::string, Mask> pictures;  // of --mask, by the class that each is for; "": for all
     // The polygons of --inside, then of --outside, then the lines of --avoid. `kinds` has what else
     // a PolygonSet says of each: whether it is forbidden, and the width of obstacles.
     std::vector<Polygons> polygons;
@@ -128,6 +129,9 @@ void take_shape(const Domain& shape, Request& request);
 // the mask (longer side 1). Draws no polygons. Throws BadRequest and files::FileError.
 void read_given_files(const CommandLine& line, const DomainOptions& options, Request& request,
                       DomainFiles& files);
+
+// Gives the request's classes their own pictures of --mask. Throws BadRequest.
+void take_masks(const DomainFiles& files, Request& request);
 
 // The clearances of each class if classes have borders or polygons of their own; otherwise those of
 // all.

@@ -108,7 +108,7 @@ std::string places(const SetClaim& claim) {
     if (!given.field.path.empty()) append("field", printable(given.field.path));
     if (!claim.classes.names.empty())
         append("classes", printable(fmt::format("{}", fmt::join(claim.classes.names, ", "))));
-    if (!given.mask.empty()) append("mask", printable(given.mask));
+    for (const std::string& path : given.mask) append("mask", printable(path));
     const auto append_polygons = [&](std::string_view name, const std::vector<std::string>& paths) {
         for (const std::string& path : paths)
             append(name,
@@ -176,7 +176,8 @@ std::string kind(const SetClaim& claim) {
     if (!claim.classes.names.empty())
         kind = fmt::format(" of {} classes{}", claim.classes.names.size(),
                            has_counts(claim.classes) ? " with their numbers of points" : "");
-    if (claim.mask != nullptr || !claim.rings.empty() || !borders(claim).empty())
+    if (claim.mask != nullptr || !claim.classes.masks.empty() || !claim.rings.empty() ||
+        !borders(claim).empty())
         kind += " where points may lie";
     return kind;
 }
