@@ -1,65 +1,21 @@
 // lacuna::stipple: its defaults, its rules, and its dots.
 #include <gtest/gtest.h>
 #include <lacuna/stipple.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <fstream>
-#include <iterator>
-#include <numeric>
-#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "drawing/dot_size.h"
+#include "recipes/stippled_pictures.h"
 #include "refusal.h"
 
 namespace lacuna {
 namespace {
 
+using namespace tests::stippled;
 using tests::refusal_of;
-
-// Red at the left, blue at the right, grey above, and white between.
-const Picture kDrawing{
-    "P3 4 3 255 90 90 90 90 90 90 90 90 90 90 90 90 "
-    "230 20 20 255 255 255 255 255 255 20 40 230 "
-    "230 20 20 255 255 255 255 255 255 20 40 230",
-    "drawing"};
-const Picture kBlack{"P2 1 1 1 0", "black"};
-
-StippleOptions counted(std::uint64_t count) {
-    StippleOptions options;
-    options.request.count = count;
-    return options;
-}
-
-StippleOptions in_inks(const std::string& inks, std::uint64_t count) {
-    StippleOptions options = counted(count);
-    options.inks = inks_of(inks);
-    return options;
-}
-
-double mean_of(const Field& field) {
-    return std::accumulate(field.importance.begin(), field.importance.end(), 0.0) /
-           static_cast<double>(field.importance.size());
-}
-
-std::vector<std::size_t> dots_of(const Stippling& made) {
-    std::vector<std::size_t> dots;
-    for (const Layer& layer : made.layers) dots.push_back(layer.dots);
-    return dots;
-}
-
-std::vector<std::pair<double, double>> sorted(std::span<const Point> points) {
-    std::vector<std::pair<double, double>> all;
-    for (const Point& point : points) all.emplace_back(point.x, point.y);
-    std::sort(all.begin(), all.end());
-    return all;
-}
 
 TEST(Stippling, HasTheNumberOfDotsAskedForAndASizeForEach) {
     const Stippling made = stipple(kDrawing, counted(300));
@@ -142,143 +98,6 @@ TEST(Stippling, IsTheSameOnEveryBackendAndNumberOfThreads) {
     EXPECT_EQ(stipple(kDrawing, options).result.points, points);
 }
 
-TEST(Stippling, ForAPenHasTheSameDotsOfEachInkOnAShortPath) {
-    StippleOptions options = in_inks("red,black,blue", 300);
-    const Stippling placed = stipple(kDrawing, options);
-    options.pen_path = true;
-    const Stippling path = stipple(kDrawing, options);
-    EXPECT_EQ(dots_of(path), dots_of(placed));
-    std::size_t first = 0;
-    for (const Layer& layer : path.layers) {
-        EXPECT_EQ(sorted(std::span(path.result.points).subspan(first, layer.dots)),
-                  sorted(std::span(placed.result.points).subspan(first, layer.dots)));
-        first += layer.dots;
-    }
-    EXPECT_LT(path.path_length, path.admitted_length);
-}
-
-// 64 x 64 pixels, from black at the left to white at the right.
-Picture ramp() {
-    std::string pixels = "P2 64 64 63";
-    for (int i = 0; i < 64 * 64; ++i) pixels += ' ' + std::to_string(i % 64);
-    return {pixels, "ramp"};
-}
-
-TEST(Stippling, ForATimeHasAboutAsManyDotsAsAPlotterDrawsInIt) {
-    for (const char* const inks : {"", "red,black,blue"})
-        for (const Plotter plotter : {Plotter{}, Plotter{0, 2}, Plotter{1, 0}}) {
-            StippleOptions options{.paper = Paper{200, 200, 10}, .plotter = plotter};
-            if (*inks != 0) options.inks = inks_of(inks);
-            options.plot_seconds = 20;
-            const Picture& picture = *inks != 0 ? kDrawing : ramp();
-            const Stippling made = stipple(picture, options);
-            EXPECT_TRUE(made.is_for_a_pen);
-            const double metres = made.path_length * 180 / 1000;
-            EXPECT_DOUBLE_EQ(made.plot_seconds,
-                             plotter.seconds_per_metre * metres +
-                                 plotter.seconds_per_dot * double(made.result.points.size()));
-            EXPECT_NEAR(made.plot_seconds, 20, 2) << inks << " " << plotter.seconds_per_dot;
-        }
-}
-
-TEST(Stippling, WithPensHasTheirWidthsAndALayerForEach) {
-    StippleOptions options{
-        .pens = Pens{0.3, 0.8, {0.3, 0.5, 0.8}}, .paper = Paper{60, 60}, .pen_path = true};
-    const Field field = importance_of(ramp(), {.light = true});
-    const Stippling made = stipple(ramp(), options);
-    ASSERT_EQ(made.layers.size(), 3U);
-    EXPECT_EQ(made.layers[0].ink.name, "0.3mm");
-    EXPECT_EQ(made.layers[2].ink.pen_mm, 0.8);
-    std::size_t first = 0;
-    double area = 0;
-    for (const Layer& layer : made.layers) {
-        for (std::size_t i = first; i < first + layer.dots; ++i) {
-            EXPECT_NEAR(60 * made.diameters[i], layer.ink.pen_mm, 1e-12);
-            // The nearest width to that of the tone, which falls from 0.8 to 0.3 mm.
-            const auto column = static_cast<std::size_t>(64 * made.result.points[i].x);
-            const double wanted = 0.3 + 0.5 * field.importance[std::min<std::size_t>(column, 63)];
-            EXPECT_LE(std::abs(wanted - layer.ink.pen_mm), 0.15 + 1e-9);
-            area += 3.14159265 / 4 * layer.ink.pen_mm * layer.ink.pen_mm;
-        }
-        first += layer.dots;
-    }
-    EXPECT_EQ(first, made.result.points.size());
-    // Of 60 mm x 60 mm. Where dots overlap there are more: in black 1.12^2 times as many.
-    EXPECT_GT(area / (3600 * mean_of(field)), 1.05);
-    EXPECT_LT(area / (3600 * mean_of(field)), 1.12 * 1.12);
-    options.inks = inks_of("red,blue");
-    EXPECT_EQ(stipple(kDrawing, options).layers[3].ink.name, "blue 0.3mm");
-}
-
-TEST(Stippling, InInksWithPensOfTheirOwnHasAsMuchInkOfEachAsThePictureNeeds) {
-    const auto dots = [](const char* inks) {
-        return dots_of(stipple(kDrawing, {.inks = inks_of(inks), .paper = Paper{80, 60}}));
-    };
-    const auto thin = dots("red:0.5mm,blue:0.5mm"), mixed = dots("red:0.5mm,blue:1mm");
-    EXPECT_NEAR(double(mixed[0]), double(thin[0]), 2);
-    EXPECT_NEAR(4 * double(mixed[1]), double(thin[1]), 4);
-    const Stippling made =
-        stipple(kDrawing, {.inks = inks_of("red:0.5mm,blue:1mm"), .paper = Paper{80, 60}});
-    EXPECT_NEAR(80 * made.diameters.front(), 0.5, 1e-12);
-    EXPECT_NEAR(80 * made.diameters.back(), 1, 1e-12);
-}
-
-TEST(Stippling, AlongEdgesWithAPenHasStrokesOfItsWidthAndInkForWhereTheyCross) {
-    StippleOptions options{.tone = {.along = 5}, .pens = Pens{0.5, 0.5}, .paper = Paper{100, 100}};
-    Field layers = importance_of(ramp(), {.light = true});
-    for (double& one : layers.importance) one = drawing::Sizing{.are_strokes = true}.layers_at(one);
-    EXPECT_GT(mean_of(layers), 1.1 * mean_of(importance_of(ramp(), {.light = true})));
-    for (const std::uint64_t count : {0U, 500U}) {
-        if (count != 0) options.request.count = count;
-        const Stippling made = stipple(ramp(), options);
-        ASSERT_TRUE(made.are_strokes);
-        double area = 0;
-        for (const Ellipse& stroke : made.ellipses) {
-            EXPECT_NEAR(200 * stroke.b, 0.5, 1e-12);
-            EXPECT_GE(stroke.a, stroke.b);
-            area += 200 * (stroke.a - stroke.b) * 0.5 + 3.14159265 / 4 * 0.25;
-        }
-        EXPECT_NEAR(area / (1e4 * mean_of(layers)), 1, 1e-3) << "of 100 mm x 100 mm";
-        EXPECT_GT(made.path_length, (area - 3.14159265 / 16 * double(made.ellipses.size())) / 50);
-        // The ramp's edges go up, and so do the strokes.
-        EXPECT_NEAR(std::abs(std::sin(made.ellipses.front().angle)), 1, 0.1);
-    }
-    EXPECT_EQ(refusal_of([&] {
-                  options.request.count.reset();
-                  options.plot_seconds = 5;
-                  stipple(ramp(), options);
-              }),
-              "plot-time 5 s: the strokes alone take 96 s: give a wider --dot-size");
-}
-
-TEST(Stippling, AsALineHasInkForThePictureAndForWhereItLiesOnItself) {
-    // Black at the left, half of its darkness at the right: less than a quarter as many dots there.
-    const Picture halves{"P2 2 1 255 0 188", "halves"};
-    const double half = importance_of(halves, {.light = true}).importance[1];
-    EXPECT_NEAR(half, 0.5, 0.005);
-    StippleOptions options = counted(2000);
-    options.path_line = true;
-    const Stippling made = stipple(halves, options);
-    EXPECT_TRUE(made.is_for_a_pen);
-    const auto left = std::count_if(made.result.points.begin(), made.result.points.end(),
-                                    [](const Point& point) { return point.x < 0.5; });
-    constexpr double kLayers = 1.2;  // of black, because the line lies on itself there
-    EXPECT_NEAR(double(left), 2000 / (1 + half * half / (kLayers * kLayers)), 8);
-    EXPECT_NEAR(made.line_width * made.path_length, (kLayers + half) / 2 * 0.5, 1e-12);
-    EXPECT_DOUBLE_EQ(made.plot_seconds, 5 * made.path_length * 512 / 72 * 0.0254);
-    // With a pen the length is what it needs.
-    options = {.pens = Pens{0.5, 0.5}, .paper = Paper{100, 50}, .path_line = true};
-    const Stippling drawn = stipple(halves, options);
-    EXPECT_NEAR(100 * drawn.line_width, 0.5, 1e-12);
-    EXPECT_NEAR(100 * 100 * drawn.line_width * drawn.path_length, 0.85 * 5000, 0.04 * 4250);
-    const std::string path = testing::TempDir() + "lacuna_" + std::to_string(::getpid()) + ".svg";
-    write_stippling(path, drawn);
-    std::ifstream file(path);
-    const std::string svg{std::istreambuf_iterator<char>(file), {}};
-    EXPECT_EQ(svg.find("<path"), svg.rfind("<path")) << "one line";
-    EXPECT_NE(svg.find("stroke-width=\"0.5\""), std::string::npos);
-}
-
 TEST(Stippling, KeptInsideDrawsThinLinesWithSmallerDots) {
     // A black block of 60 x 60 pixels, and a line of 3 pixels beside it.
     std::string pixels = "P2 120 60 255";
@@ -324,59 +143,6 @@ TEST(Stippling, OnDarkPaperDrawsWhatIsLight) {
     for (std::size_t k = 0; k < 2; ++k)
         for (std::size_t i = 0; i < 12; ++i)
             EXPECT_NEAR(near[k].importance[i], white[k].importance[i], 0.02) << k << " " << i;
-}
-
-TEST(Stippling, OnDarkPaperInInksWithSeveralPensCoversWhatEachInkIsNeededFor) {
-    StippleOptions options{.pens = Pens{0.4, 0.8, {0.4, 0.8}},
-                           .paper = Paper{60, 60},
-                           .paper_colour = {0, 0, 0},
-                           .plot_seconds = 600};
-    options.inks = inks_of("white,gold=#d4af37");
-    const Stippling made = stipple(ramp(), options);
-    ASSERT_EQ(made.layers.size(), 4U);
-    EXPECT_EQ(made.layers[0].ink.name, "white 0.4mm");
-    EXPECT_EQ(made.layers[3].ink.name, "gold 0.8mm");
-    EXPECT_NEAR(made.plot_seconds, 600, 60);
-    // Where the ramp is dark, so is the paper.
-    for (const Point& dot : made.result.points) EXPECT_GT(dot.x, 0.02);
-    const auto right = std::count_if(made.result.points.begin(), made.result.points.end(),
-                                     [](const Point& dot) { return dot.x > 0.5; });
-    EXPECT_GT(double(right), 0.7 * double(made.result.points.size()));
-    std::size_t i = 0;
-    for (const Layer& layer : made.layers)
-        for (std::size_t k = 0; k < layer.dots; ++k, ++i)
-            EXPECT_NEAR(60 * made.diameters[i], layer.ink.pen_mm, 1e-12);
-}
-
-TEST(Stippling, OnATorusForATimeHasAsManyDotsAsOnABox) {
-    StippleOptions options{.pens = Pens{0.5, 0.5}, .paper = Paper{80, 80}, .plot_seconds = 300};
-    const Stippling box = stipple(ramp(), options);
-    options.request.domain.boundary = Boundary::torus;
-    const Stippling torus = stipple(ramp(), options);
-    EXPECT_EQ(torus.result.points.size(), box.result.points.size());
-    EXPECT_NEAR(torus.plot_seconds, 300, 30);
-    EXPECT_NE(torus.result.points, box.result.points);
-}
-
-TEST(Stippling, AsLinesOfInksWithPensOfTheirOwnHasTheirWidthsAndTheirInk) {
-    const Stippling made =
-        stipple(kDrawing,
-                {.inks = inks_of("red:0.5mm,blue:1mm"), .paper = Paper{80, 60}, .path_line = true});
-    ASSERT_EQ(made.layers.size(), 2U);
-    std::vector<double> lengths;
-    std::size_t first = 0;
-    for (const Layer& layer : made.layers) {
-        double length = 0;
-        for (std::size_t i = first + 1; i < first + layer.dots; ++i)
-            length += std::hypot(made.result.points[i].x - made.result.points[i - 1].x,
-                                 made.result.points[i].y - made.result.points[i - 1].y);
-        lengths.push_back(80 * length);
-        first += layer.dots;
-    }
-    const auto fields = separate(kDrawing, inks_of("red,blue"));
-    for (std::size_t k = 0; k < 2; ++k)
-        EXPECT_NEAR(lengths[k] * made.layers[k].ink.pen_mm / (4800 * mean_of(fields[k])), 1, 0.15)
-            << k;
 }
 
 // Pixels of a disk of 20 pixels reach at most 20.7 pixels from the middle of 60 x 60.
