@@ -6,19 +6,18 @@
 #include <lacuna/version.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <functional>
 #include <memory>
 #include <new>
-#include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/number_text.h"
+#include "c/given.h"
 #include "plan/checked_request.h"
 #include "recipes/make.h"
 #include "recipes/read_text.h"
@@ -66,83 +65,20 @@ Returned guarded(Returned failed, Call call) noexcept {
     return failed;
 }
 
-std::vector<Point> points_of(const char* name, const double* xy, std::size_t count) {
-    if (xy == nullptr && count != 0)
-        throw BadRequest(name, "NULL", "must be " + std::to_string(count) + " points");
-    std::vector<Point> points;
-    points.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) points.push_back({xy[2 * i], xy[2 * i + 1]});
-    return points;
-}
-
-// The options whose files' contents a call is given; `field` is the name of that for importance.
-std::vector<std::string_view> names_of(const lacuna_given* given, std::string_view field) {
-    std::vector<std::string_view> names;
-    if (given != nullptr && given->importance != nullptr) names.push_back(field);
-    if (given != nullptr && given->kept_count != 0) names.emplace_back("keep");
-    if (given != nullptr && given->allowed != nullptr) names.emplace_back("mask");
-    return names;
-}
-
-// What a call is given, as long as the call lasts.
-class Given {
-public:
-    // The domain of the request follows from the field, unless the options have one.
-    Given(const lacuna_given* given, Request& request, const recipes::CommandLine& line) {
-        if (given == nullptr) return;
-        kept_ = points_of("keep", given->kept, given->kept_count);
-        request.keep = kept_;
-        refuse_size_alone("field", given->importance, given->columns, given->rows);
-        refuse_size_alone("mask", given->allowed, given->mask_columns, given->mask_rows);
-        const bool has_shape = line.has("domain");
-        if (given->allowed != nullptr)
-            take(mask_, "mask", given->allowed, given->mask_columns, given->mask_rows);
-        if (given->importance != nullptr)
-            take(field_, "field", given->importance, given->columns, given->rows);
-        if (mask_) request.mask = &*mask_;
-        if (field_) request.field = &*field_;
-        const auto shape = [&](const auto& raster) {
-            request.domain = domain_like(raster.columns, raster.rows, request.domain.boundary);
-        };
-        if (field_ && !has_shape) shape(*field_);
-        if (mask_ && !field_ && !has_shape) shape(*mask_);
-    }
-
-private:
-    static void refuse_size_alone(const char* option, const void* first, std::size_t columns,
-                                  std::size_t rows) {
-        if (first == nullptr && (columns != 0 || rows != 0))
-            throw BadRequest(
-                option, "NULL",
-                "must be " + std::to_string(columns) + "x" + std::to_string(rows) + " numbers");
-    }
-    template <typename Raster, typename Value>
-    static void take(std::optional<Raster>& raster, const char* option, const Value* first,
-                     std::size_t columns, std::size_t rows) {
-        constexpr std::size_t kMostSide = std::size_t{1} << 20;
-        if (columns == 0 || rows == 0 || columns > kMostSide || rows > kMostSide)
-            throw BadRequest(option, std::to_string(columns) + "x" + std::to_string(rows),
-                             "must have 1 to 1048576 columns and rows");
-        raster.emplace(Raster{static_cast<std::uint32_t>(columns),
-                              static_cast<std::uint32_t>(rows),
-                              {first, first + columns * rows}});
-    }
-
-    std::vector<Point> kept_;
-    std::optional<Field> field_;
-    std::optional<Mask> mask_;
-};
-
 lacuna_set* set_of(const Request& request, Result result) {
     auto set = std::make_unique<lacuna_set>();
     set->points = std::move(result.points);
+    set->layers = std::move(result.classes);
     set->facts = {request.domain.width,   request.domain.height, result.radius,
                   result.maximal ? 1 : 0, request.domain.x0,     request.domain.y0};
     return set.release();
 }
 
 lacuna_set* sampled(const char* options, const lacuna_given* given) {
+    if (given != nullptr && given->classes != nullptr)
+        throw BadRequest("classes", "given", "are those of the points that lacuna_verify() proves");
     Request request;
+    c::ClassesAndBorders classes;
     recipes::Given choices;
     recipes::Moves moves;
     recipes::Targets targets = recipes::targets_of(request);
@@ -150,9 +86,11 @@ lacuna_set* sampled(const char* options, const lacuna_given* given) {
     targets["mode"] = &choices.mode;
     targets["metric"] = &choices.metric;
     targets["relax"] = &choices.relax;
+    classes.add_to(targets);
     const recipes::CommandLine line =
-        recipes::read_text(recipes::kSample, options, targets, names_of(given, "field"));
-    const Given held(given, request, line);
+        recipes::read_text(recipes::kSample, options, targets, c::names_of(given, "field"));
+    const c::Given held(given, request, line);
+    classes.take_to(request);
     choices.gaussian = moves.gaussian;
     moves.iterations = recipes::relax_of(choices);
     recipes::settle(choices, request);
@@ -192,10 +130,10 @@ lacuna_set* relaxed(const char* options, const lacuna_given* given, const double
     targets.merge(recipes::targets_of(moves));
     targets["iterations"] = &moves.iterations;
     const recipes::CommandLine line =
-        recipes::read_text(recipes::kRelax, options, targets, names_of(given, "IMAGE"));
-    const Given held(given, request, line);
+        recipes::read_text(recipes::kRelax, options, targets, c::names_of(given, "IMAGE"));
+    const c::Given held(given, request, line);
     Watched observer;
-    const std::vector<Point> all = points_of("points", points, count);
+    const std::vector<Point> all = c::points_of("points", points, count);
     Result result;
     result.points =
         relax(all, request.field, recipes::relax_options_of(request, moves), observer).points;
@@ -210,7 +148,7 @@ std::string distance_in(const Proof& proof) {
 }
 
 // What the set lacks; empty if it is as claimed.
-std::string lack_of(const Proof& proof, bool distances_only) {
+std::string lack_of(const Proof& proof, const Claim& claim) {
     const auto point = [](std::size_t number) { return "point " + std::to_string(number); };
     if (proof.outside)
         return point(*proof.outside) + ", numbered from 0, lies outside of the domain";
@@ -221,25 +159,30 @@ std::string lack_of(const Proof& proof, bool distances_only) {
     if (proof.forbidden)
         return point(*proof.forbidden) + ", numbered from 0, lies where no point may";
     if (!proof.kept) return distance_in(proof);
-    if (distances_only || proof.maximal) return "";
+    if (claim.distances_only || proof.maximal) return "";
     if (proof.covered)
         return "not proven maximal, as the tolerance is over 1 % of the radius: " +
                shortest(proof.tolerance);
-    return "there is room for a point at (" + shortest(proof.largest_gap.x) + ", " +
-           shortest(proof.largest_gap.y) + "), " + shortest(proof.largest_gap_distance) +
-           " from the nearest one";
+    const std::vector<std::string>& classes = claim.classes.names;
+    return "there is room for a point " +
+           (classes.empty() ? "" : "of class " + classes[proof.largest_gap_class] + " ") + "at (" +
+           shortest(proof.largest_gap.x) + ", " + shortest(proof.largest_gap.y) + "), " +
+           shortest(proof.largest_gap_distance) + " from the nearest one";
 }
 
 int verified(const char* options, const lacuna_given* given, const double* points,
              std::size_t count) {
     Request request;
     Claim claim;
+    c::ClassesAndBorders classes;
     recipes::Targets targets = recipes::targets_of(request);
     targets["tolerance"] = &claim.tolerance;
     targets["distances-only"] = &claim.distances_only;
+    classes.add_to(targets);
     const recipes::CommandLine line =
-        recipes::read_text(recipes::kVerify, options, targets, names_of(given, "field"));
-    const Given held(given, request, line);
+        recipes::read_text(recipes::kVerify, options, targets, c::names_of(given, "field"));
+    const c::Given held(given, request, line);
+    classes.take_to(request);
     if (!(request.field != nullptr ? request.scale : request.radius))
         throw BadRequest(request.field != nullptr ? "scale" : "radius", "missing",
                          "give the distance that points should keep");
@@ -249,13 +192,17 @@ int verified(const char* options, const lacuna_given* given, const double* point
     claim.field = request.field;
     claim.mask = request.mask;
     claim.border = request.border;
+    claim.classes = request.classes;
+    if (given != nullptr && given->classes != nullptr)
+        claim.class_of_points = {given->classes, count};
     claim.keep = request.keep;
+    claim.keep_classes = request.keep_classes;
     Watched observer;
     const std::uint64_t all = count;
-    const Proof proof = prove(points_of("points", points, count), claim, [&] {
+    const Proof proof = prove(c::points_of("points", points, count), claim, [&] {
         return observer.keep_going({0, std::max<std::uint64_t>(1, all), 0});
     });
-    error_of_thread = lack_of(proof, claim.distances_only);
+    error_of_thread = lack_of(proof, claim);
     return error_of_thread.empty() ? 1 : 0;
 }
 

@@ -12,8 +12,9 @@
  *
  * Options are one text, as on the command line of `lacuna sample` and the others, which give the
  * same points. What is not understood is refused, and nothing is made. So are options for which
- * there is nothing here: of files and polygons, classes, ellipses and strokes, several
- * seeds, how a picture is read where importance is given, and what is drawn.
+ * there is nothing here: of files and polygons, ellipses and strokes, several seeds, how a picture
+ * is read where importance is given, and what is drawn. Classes of points have --class NAME:R, once
+ * for each, and --border NAME:D; --between is sum or union, not a file of distances.
  *
  * Calls may be made on several threads at once. A set may be read by several threads, until it is
  * freed. */
@@ -54,6 +55,10 @@ typedef struct lacuna_given {
     const unsigned char* allowed;
     size_t mask_columns;
     size_t mask_rows;
+    /* With --class, the class of each kept point: its number, from 0 in the order of --class. */
+    const unsigned char* kept_classes;
+    /* With --class, likewise of each point that lacuna_verify() is given, and for no other call. */
+    const unsigned char* classes;
 } lacuna_given;
 
 /* The version, such as "0.1.0". */
@@ -83,8 +88,9 @@ LACUNA_C_API lacuna_set* lacuna_relax(const char* options, const lacuna_given* g
                                       const double* points, size_t count);
 
 /* Proves from the coordinates alone that points keep their distance and leave no room for another
- * one, as `lacuna verify` does: "--radius R", or with importance "--scale R", and --domain,
- * --torus, --border, --tolerance and --distances-only. Returns 1 if that is so, 0 if not or if the
+ * one, as `lacuna verify` does: "--radius R", or with importance "--scale R", or of
+ * classes "--class NAME:R" for each; and --domain, --torus, --between, --border,
+ * --inside-by-radius, --tolerance and --distances-only. Returns 1 if that is so, 0 if not or if the
  * tolerance is over 1 % of the radius, which proves nothing, and -1 if it failed. Kept points are
  * the first of the set. */
 LACUNA_C_API int lacuna_verify(const char* options, const lacuna_given* given, const double* points,
@@ -101,7 +107,9 @@ LACUNA_C_API const double* lacuna_points(const lacuna_set* set);
 LACUNA_C_API const double* lacuna_diameters(const lacuna_set* set);
 
 /* The layer of each dot: the number of its ink, from 0 in the order of --inks, or of its pen, or of
- * its ink times the number of pens plus its pen; NULL for one layer. Dots come layer by layer. */
+ * its ink times the number of pens plus its pen; NULL for one layer. Dots come layer by layer. With
+ * --class, which gives an .svg a layer for each class, the class of each point: its number, from 0
+ * in the order of --class. Points of all classes come mixed. */
 LACUNA_C_API const unsigned char* lacuna_layers(const lacuna_set* set);
 
 typedef struct lacuna_facts {

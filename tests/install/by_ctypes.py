@@ -16,6 +16,14 @@ class Facts(ctypes.Structure):
                 ("radius", ctypes.c_double), ("maximal", ctypes.c_int)]
 
 
+class Given(ctypes.Structure):
+    _fields_ = [("importance", ctypes.c_void_p), ("columns", ctypes.c_size_t),
+                ("rows", ctypes.c_size_t), ("kept", ctypes.c_void_p),
+                ("kept_count", ctypes.c_size_t), ("allowed", ctypes.c_void_p),
+                ("mask_columns", ctypes.c_size_t), ("mask_rows", ctypes.c_size_t),
+                ("kept_classes", ctypes.c_void_p), ("classes", ctypes.c_void_p)]
+
+
 lacuna.lacuna_error.restype = lacuna.lacuna_version.restype = ctypes.c_char_p
 lacuna.lacuna_sample.restype = lacuna.lacuna_stipple.restype = ctypes.c_void_p
 lacuna.lacuna_sample.argtypes = [ctypes.c_char_p, ctypes.c_void_p]
@@ -23,9 +31,10 @@ lacuna.lacuna_stipple.argtypes = [ctypes.c_char_p, ctypes.c_char_p, ctypes.c_siz
 lacuna.lacuna_verify.argtypes = [ctypes.c_char_p, ctypes.c_void_p, ctypes.c_void_p,
                                  ctypes.c_size_t]
 lacuna.lacuna_points.restype = ctypes.POINTER(ctypes.c_double)
+lacuna.lacuna_layers.restype = ctypes.POINTER(ctypes.c_ubyte)
 lacuna.lacuna_count.restype = ctypes.c_size_t
 lacuna.lacuna_describe.restype = Facts
-for name in ("points", "count", "describe", "free"):
+for name in ("points", "layers", "count", "describe", "free"):
     getattr(lacuna, "lacuna_" + name).argtypes = [ctypes.c_void_p]
 
 made = lacuna.lacuna_sample(b"--radius 0.05 --seed 1", None)
@@ -37,6 +46,17 @@ assert all(0 <= points[i] <= 1 for i in range(2 * count))
 assert lacuna.lacuna_verify(b"--radius 0.05", None, points, count) == 1, lacuna.lacuna_error()
 assert lacuna.lacuna_verify(b"--radius 0.051", None, points, count) == 0
 lacuna.lacuna_free(made)
+
+kinds = b"--class trees:0.05 --class grass:0.02 --border trees:0.1"
+wood = lacuna.lacuna_sample(kinds, None)
+count, points = lacuna.lacuna_count(wood), lacuna.lacuna_points(wood)
+classes = (ctypes.c_ubyte * count)(*lacuna.lacuna_layers(wood)[:count])
+given = Given(classes=ctypes.addressof(classes))
+assert set(classes) == {0, 1}
+assert lacuna.lacuna_verify(kinds, ctypes.byref(given), points, count) == 1, lacuna.lacuna_error()
+classes[classes[:].index(1)] = 0
+assert lacuna.lacuna_verify(kinds, ctypes.byref(given), points, count) == 0
+lacuna.lacuna_free(wood)
 
 content = pathlib.Path(picture).read_bytes()
 dots = lacuna.lacuna_stipple(b"--count 300 --relax 2", content, len(content))

@@ -1,6 +1,6 @@
 /* The interface for C, as a program in C uses it: makes, moves and proves sets, and reads errors.
  *
- *     c_test PICTURE */
+ *     c_program PICTURE */
 #include <lacuna.h>
 
 #include <math.h>
