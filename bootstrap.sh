@@ -22,7 +22,7 @@ more_packages=(
     pocl-opencl-icd clinfo mesa-vulkan-drivers vulkan-validationlayers
     clang-format clang-tidy valgrind help2man zsh fish
     libopenmpi-dev openmpi-bin
-    librsvg2-bin python3-shapely
+    librsvg2-bin python3-shapely python3-yaml
 )
 # Packages that some of these systems lack. Without one, the tests that need it are skipped.
 optional_packages=()

@@ -30,6 +30,13 @@ add_test(NAME install.vcpkg_port COMMAND ${CMAKE_COMMAND}
     -D SCRATCH=${PROJECT_BINARY_DIR}/install-test/vcpkg_port -D SOURCE=${PROJECT_SOURCE_DIR}
     -D COMPILER=${CMAKE_CXX_COMPILER} -D VERSION=${PROJECT_VERSION}
     -P ${PROJECT_SOURCE_DIR}/tests/install/vcpkg_port.cmake)
+if(LACUNA_COMMAND)
+    add_test(NAME install.conda_recipe COMMAND ${Python3_EXECUTABLE}
+        ${PROJECT_SOURCE_DIR}/tests/install/conda_recipe.py ${PROJECT_SOURCE_DIR}
+        ${PROJECT_BINARY_DIR}/install-test/conda_recipe ${PROJECT_VERSION} ${CMAKE_CXX_COMPILER}
+        $<TARGET_FILE:lacuna_command>)
+    set_tests_properties(install.conda_recipe PROPERTIES SKIP_REGULAR_EXPRESSION "SKIPPED: ")
+endif()
 if(LACUNA_COMMAND AND HELP2MAN)
     add_test(NAME install.man_pages COMMAND ${CMAKE_COMMAND}
         -D PROGRAM=$<TARGET_FILE:lacuna_command> -D MAN=${PROJECT_BINARY_DIR}/man
