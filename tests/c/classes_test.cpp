@@ -56,51 +56,32 @@ Request trees_and_grass() {
     return request;
 }
 
-// A set of a request, and the options that stand for it.
-struct Row {
-    std::string options;
-    std::function<void(Request&)> change;
-};
-
-class ClassesInC : public testing::TestWithParam<Row> {};
-
-TEST_P(ClassesInC, AreThoseOfTheLibraryAndProven) {
-    const std::string options = kTreesAndGrass + " " + GetParam().options;
-    Request request = trees_and_grass();
-    GetParam().change(request);
-    const Result expected = sample(request);
-    const MadeInC made = made_in_c(options + " --seed 5");
-    EXPECT_GT(made.points.size(), 100);
-    EXPECT_EQ(made.points, expected.points);
-    EXPECT_EQ(made.classes, expected.classes);
-    EXPECT_EQ(made.facts.radius, expected.radius);
-    EXPECT_EQ(verify(options, made), 1) << lacuna_error();
+TEST(ClassesInC, AreThoseOfTheLibraryAndProven) {
+    const auto check = [](const std::string& more, const std::function<void(Request&)>& change) {
+        const std::string options = kTreesAndGrass + " " + more;
+        SCOPED_TRACE(options);
+        Request request = trees_and_grass();
+        request.seed = 5;
+        change(request);
+        const Result expected = sample(request);
+        const MadeInC made = made_in_c(options + " --seed 5");
+        EXPECT_GT(made.points.size(), 100);
+        EXPECT_EQ(made.points, expected.points);
+        EXPECT_EQ(made.classes, expected.classes);
+        EXPECT_EQ(made.facts.radius, expected.radius);
+        EXPECT_EQ(verify(options, made), 1) << lacuna_error();
+    };
+    check("", [](Request&) {});
+    check("--torus", [](Request& request) { request.domain.boundary = Boundary::torus; });
+    check("--between union", [](Request& request) {
+        request.classes.distances = distances_by_union(std::array<double, 2>{0.06, 0.02});
+    });
+    check("--border 0.05 --border trees:0.2", [](Request& request) {
+        request.border = 0.05;
+        request.classes.borders = {0.2, 0.05};
+    });
+    check("--inside-by-radius", [](Request& request) { request.classes.borders = {0.06, 0.02}; });
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    Options, ClassesInC,
-    testing::Values(
-        Row{"", [](Request& request) { request.seed = 5; }},
-        Row{"--torus",
-            [](Request& request) {
-                request.seed = 5;
-                request.domain.boundary = Boundary::torus;
-            }},
-        Row{"--between union",
-            [](Request& request) {
-                request.seed = 5;
-                request.classes.distances = distances_by_union(std::array<double, 2>{0.06, 0.02});
-            }},
-        Row{"--border 0.05 --border trees:0.2",
-            [](Request& request) {
-                request.seed = 5;
-                request.border = 0.05;
-                request.classes.borders = {0.2, 0.05};
-            }},
-        Row{"--inside-by-radius", [](Request& request) {
-                request.seed = 5;
-                request.classes.borders = {0.06, 0.02};
-            }}));
 
 TEST(ClassesOfAFieldInC, AreThoseOfTheLibraryAndProven) {
     const Field field{2, 1, {0.25, 1}};
