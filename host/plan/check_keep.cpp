@@ -3,12 +3,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "base/number_text.h"
@@ -96,71 +94,91 @@ double length_of(Point way) {
     return std::sqrt(way.x * way.x + way.y * way.y);
 }
 
-// Holds the points whose radius is at least `least`, in cells at least twice that wide. Points that
-// keep their distance rarely share a cell, and the first two that are too close end the check.
-class Cells {
+// Kept points of one class in a tree of boxes, each halved along its longer side. So the search for
+// points near a point takes few steps, wherever points lie and however much their distances differ.
+class Tree {
 public:
-    Cells(const Request& request, std::span<const double> radii, double least)
-        : request_(request),
-          radii_(radii),
-          columns_(cells_along(request.domain.width, 2 * least)),
-          rows_(cells_along(request.domain.height, 2 * least)),
-          next_(radii.size()) {}
-
-    // A point that was added and is too close to this one.
-    std::optional<std::uint32_t> too_close_to(std::uint32_t index) const {
-        for (const std::uint64_t y : around(row_of(index), rows_))
-            for (const std::uint64_t x : around(column_of(index), columns_))
-                if (const auto other = too_close_in(x, y, index)) return other;
-        return std::nullopt;
+    Tree(const Request& request, std::span<const double> radii, std::vector<std::uint32_t> points)
+        : request_(request), radii_(radii), points_(std::move(points)) {
+        if (!points_.empty()) build(0, points_.size());
     }
-    void add(std::uint32_t index) {
-        const std::uint64_t cell = row_of(index) * columns_ + column_of(index);
-        const auto [first, is_new] = first_.try_emplace(cell, index);
-        next_[index] = is_new ? kNone : first->second;
-        first->second = index;
+
+    std::span<const std::uint32_t> points() const { return points_; }
+
+    // Another point, in this tree, that is closer than `share` of the smaller of the two radii.
+    std::optional<std::uint32_t> too_close_to(std::uint32_t index, double share) const {
+        return nodes_.empty() ? std::nullopt : find(0, index, share);
     }
 
 private:
-    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+    static constexpr std::size_t kFew = 8;         // points of a node that is not halved
+    static constexpr std::size_t kWorkOfNode = 4;  // in pixels, for polls
+    struct Node {
+        Point low, high;      // the corners of the box around the points
+        double greatest = 0;  // of the points' radii
+        std::size_t begin = 0, end = 0;
+        std::size_t second = 0;  // the second half; the first one follows the node. 0: not halved
+    };
 
-    // Cells are at least `side` wide. There are at most 2^30, which are narrower than any radius.
-    static std::uint64_t cells_along(double length, double side) {
-        return static_cast<std::uint64_t>(std::clamp(std::floor(length / side), 1.0, 0x1p30));
-    }
-    static std::uint64_t cell_of(double share, std::uint64_t cells) {
-        const double at = std::max(0.0, share * static_cast<double>(cells));
-        return at < static_cast<double>(cells) ? static_cast<std::uint64_t>(at) : cells - 1;
-    }
-    Point way_to(std::uint32_t index) const {
-        return request_.domain.from_corner(request_.keep[index]);
-    }
-    std::uint64_t column_of(std::uint32_t index) const {
-        return cell_of(way_to(index).x / request_.domain.width, columns_);
-    }
-    std::uint64_t row_of(std::uint32_t index) const {
-        return cell_of(way_to(index).y / request_.domain.height, rows_);
-    }
-    // The cell and its neighbours, each once; on a torus across the edges, too.
-    std::set<std::uint64_t> around(std::uint64_t cell, std::uint64_t cells) const {
-        const bool wraps = request_.domain.wraps();
-        std::set<std::uint64_t> near{cell};
-        if (cell > 0 || wraps) near.insert((cell + cells - 1) % cells);
-        if (cell + 1 < cells || wraps) near.insert((cell + 1) % cells);
-        return near;
+    std::size_t build(std::size_t begin, std::size_t end) {
+        ask_after(end - begin);
+        const Point first = request_.keep[points_[begin]];
+        Node node{first, first, 0, begin, end};
+        for (std::size_t i = begin; i < end; ++i) {
+            const Point point = request_.keep[points_[i]];
+            node.low = {std::min(node.low.x, point.x), std::min(node.low.y, point.y)};
+            node.high = {std::max(node.high.x, point.x), std::max(node.high.y, point.y)};
+            node.greatest = std::max(node.greatest, radii_[points_[i]]);
+        }
+        const std::size_t index = nodes_.size();
+        nodes_.push_back(node);
+        if (end - begin <= kFew) return index;
+        const auto along =
+            node.high.x - node.low.x > node.high.y - node.low.y ? &Point::x : &Point::y;
+        const std::size_t middle = begin + (end - begin) / 2;
+        const auto at = [&](std::size_t i) {
+            return points_.begin() + static_cast<std::ptrdiff_t>(i);
+        };
+        std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t a, std::uint32_t b) {
+            return request_.keep[a].*along < request_.keep[b].*along;
+        });
+        build(begin, middle);
+        const std::size_t second = build(middle, end);
+        nodes_[index].second = second;
+        return index;
     }
 
-    std::optional<std::uint32_t> too_close_in(std::uint64_t column, std::uint64_t row,
-                                              std::uint32_t index) const {
-        const auto first = first_.find(row * columns_ + column);
-        if (first == first_.end()) return std::nullopt;
-        for (std::uint32_t other = first->second; other != kNone; other = next_[other])
-            if (are_too_close(other, index)) return other;
+    // No point of the node is nearer: each step rounds in the same direction as way_between().
+    double least_distance(const Node& node, Point at) const {
+        const auto along = [&](double low, double high, double length) {
+            const auto beyond = [&](double shift) {
+                return std::max({low - shift, 0.0, shift - high});
+            };
+            return request_.domain.wraps() ? std::min({beyond(-length), beyond(0), beyond(length)})
+                                           : beyond(0);
+        };
+        return length_of({along(node.low.x - at.x, node.high.x - at.x, request_.domain.width),
+                          along(node.low.y - at.y, node.high.y - at.y, request_.domain.height)});
+    }
+
+    std::optional<std::uint32_t> find(std::size_t at, std::uint32_t index, double share) const {
+        ask_after(kWorkOfNode);
+        const Node& node = nodes_[at];
+        if (!(least_distance(node, request_.keep[index]) <
+              std::min(node.greatest, radii_[index]) * share))
+            return std::nullopt;
+        if (node.second != 0) {
+            const auto other = find(at + 1, index, share);
+            return other ? other : find(node.second, index, share);
+        }
+        for (std::size_t i = node.begin; i < node.end; ++i)
+            if (points_[i] != index && are_too_close(points_[i], index, share)) return points_[i];
         return std::nullopt;
     }
-    bool are_too_close(std::uint32_t a, std::uint32_t b) const {
+
+    bool are_too_close(std::uint32_t a, std::uint32_t b, double share) const {
         const Point way = way_between(request_, request_.keep[a], request_.keep[b]);
-        if (!(length_of(way) < std::min(radii_[a], radii_[b]))) return false;
+        if (!(length_of(way) < std::min(radii_[a], radii_[b]) * share)) return false;
         if (request_.field == nullptr || request_.field->stretches.empty()) return true;
         return holds_way(request_, request_.keep[a], way) &&
                holds_way(request_, request_.keep[b], way);
@@ -168,73 +186,35 @@ private:
 
     const Request& request_;
     std::span<const double> radii_;
-    std::uint64_t columns_;
-    std::uint64_t rows_;
-    std::unordered_map<std::uint64_t, std::uint32_t> first_;  // by cell: the last point added
-    std::vector<std::uint32_t> next_;
+    std::vector<std::uint32_t> points_;
+    std::vector<Node> nodes_;
 };
-
-// Between two polls 1024 points are looked up among the cells near them.
-constexpr std::size_t kWorkOfPoint = kBetweenPolls / 1024;
 
 struct Pair {
     std::uint32_t first;
     std::uint32_t second;
 };
 
-// Two of the points that are closer than the smaller of their radii: one that is `added`, and one
-// that asks, which in one class are the same. If that radius lies in
-// [2^l, 2^(l+1)), both have a radius of at least 2^l, and cells of width 2^(l+1) find the pair. So
-// all points of at least 2^l are checked for each l.
-std::optional<Pair> find_too_close(const Request& request, std::span<const double> radii,
-                                   std::span<const std::uint32_t> added,
-                                   std::span<const std::uint32_t> asking) {
-    const bool is_one_class = added.data() == asking.data();
-    std::set<int> levels;
-    for (const std::uint32_t i : asking) levels.insert(std::ilogb(radii[i]));
-    for (const std::uint32_t i : added) levels.insert(std::ilogb(radii[i]));
-    for (const int level : levels) {
-        const double least = std::ldexp(1.0, level);
-        Cells cells(request, radii, least);
-        for (const std::uint32_t i : is_one_class ? std::span<const std::uint32_t>() : added)
-            if (ask_after(kWorkOfPoint); radii[i] >= least) cells.add(i);
-        for (const std::uint32_t i : asking) {
-            ask_after(kWorkOfPoint);
-            if (radii[i] < least) continue;
-            if (const auto other = cells.too_close_to(i)) return Pair{*other, i};
-            if (is_one_class) cells.add(i);
-        }
-    }
-    return std::nullopt;
-}
-
-std::vector<double> times(std::span<const double> radii, double factor) {
-    std::vector<double> all(radii.begin(), radii.end());
-    for (double& radius : all) radius *= factor;
-    return all;
-}
-
 std::size_t class_of_kept(const Request& request, std::size_t index) {
     return request.classes.names.empty() ? 0 : request.keep_classes[index];
 }
 
-// Looks for two kept points that are too close, in each class and in each pair of classes. The
-// points of the sparser class are put into the cells, so that few of them share one.
+// Looks for two kept points that are too close, in each class and in each pair of classes.
 std::optional<Pair> find_too_close(const Request& request, std::span<const double> radii) {
     const std::vector<double> shares = distances_of(request);
     const std::size_t count = std::max<std::size_t>(request.classes.names.size(), 1);
     std::vector<std::vector<std::uint32_t>> of_class(count);
     for (std::uint32_t i = 0; i < radii.size(); ++i)
         of_class[class_of_kept(request, i)].push_back(i);
+    std::vector<Tree> trees;
+    for (std::vector<std::uint32_t>& points : of_class)
+        trees.emplace_back(request, radii, std::move(points));
     for (std::size_t a = 0; a < count; ++a)
-        for (std::size_t b = 0; b < count; ++b) {
-            const double own_a = shares[a * (count + 1)], own_b = shares[b * (count + 1)];
-            const bool is_sparser = own_a > own_b || (own_a == own_b && a <= b);
+        for (std::size_t b = a; b < count; ++b) {
             const double share = shares[a * count + b];
-            if (!is_sparser || share == 0) continue;
-            const auto pair =
-                find_too_close(request, times(radii, share), of_class[a], of_class[b]);
-            if (pair) return pair;
+            if (share == 0) continue;
+            for (const std::uint32_t i : trees[b].points())
+                if (const auto other = trees[a].too_close_to(i, share)) return Pair{*other, i};
         }
     return std::nullopt;
 }

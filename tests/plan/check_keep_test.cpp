@@ -1,11 +1,13 @@
 // Kept points that are too close to each other are named.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
+#include <time.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -118,6 +120,76 @@ TEST(KeptPoints, AreRefusedWhereAnyPairIsTooClose) {
     }
     EXPECT_GT(refused, 50);
     EXPECT_LT(refused, 350);
+}
+
+// Many points in the domain and around it, at a radius just below and just above that at which two
+// of them are too close.
+TEST(KeptPoints, MayHaveTheRadiusThatTheClosestPairAllows) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> anywhere(-2, 2);
+    for (int turn = 0; turn < 100; ++turn) {
+        Request request;
+        const bool is_torus = turn % 2 == 1;
+        if (is_torus) request.domain = {3, 2, Boundary::torus};
+        if (turn % 4 >= 2)
+            request.classes = {.names = {"a", "b", "c"},
+                               .distances = {1, 0, 30, 0, 2, 3, 30, 3, 9}};
+        const std::size_t classes = std::max<std::size_t>(1, request.classes.names.size());
+        std::vector<Point> keep;
+        std::vector<std::uint8_t> kinds;
+        for (int i = 0; i < 200; ++i) {
+            const Point point{anywhere(random), anywhere(random)};
+            keep.push_back(is_torus ? Point{std::abs(point.x), std::abs(point.y) / 2} : point);
+            kinds.push_back(static_cast<std::uint8_t>(static_cast<std::size_t>(i) % classes));
+        }
+        double most = std::numeric_limits<double>::infinity();  // radius
+        for (std::size_t a = 0; a < keep.size(); ++a)
+            for (std::size_t b = 0; b < a; ++b) {
+                const double share =
+                    classes == 1 ? 1
+                                 : request.classes.distances[std::size_t{3} * kinds[a] + kinds[b]];
+                double dx = std::abs(keep[a].x - keep[b].x);
+                double dy = std::abs(keep[a].y - keep[b].y);
+                if (is_torus) {
+                    dx = std::min(dx, 3 - dx);
+                    dy = std::min(dy, 2 - dy);
+                }
+                if (share > 0) most = std::min(most, std::hypot(dx, dy) / share);
+            }
+        request.keep = keep;
+        if (classes > 1) request.keep_classes = kinds;
+        request.radius = most * (1 - 1e-12);
+        EXPECT_EQ(refusal_of(request), "accepted") << "turn " << turn;
+        request.radius = most * (1 + 1e-12);
+        EXPECT_NE(refusal_of(request), "accepted") << "turn " << turn;
+    }
+}
+
+double processor_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+// Two classes, each crowded far outside of the domain, as far from the other as these two must be.
+TEST(KeptPoints, AreComparedInAShortTimeWhereverTheyLieAndHoweverDistancesDiffer) {
+    constexpr int kSide = 400;
+    Request request;
+    request.classes = {.names = {"a", "b"}, .distances = {0.001, 1, 1, 0.001}};
+    request.radius = 0.001;
+    std::vector<Point> keep;
+    std::vector<std::uint8_t> kinds;
+    for (int kind = 0; kind < 2; ++kind)
+        for (int x = 0; x < kSide; ++x)
+            for (int y = 0; y < kSide; ++y) {
+                keep.push_back({-5 + x * 0.0011, -5 + kind * 1.5 + y * 0.0011});
+                kinds.push_back(static_cast<std::uint8_t>(kind));
+            }
+    request.keep = keep;
+    request.keep_classes = kinds;
+    const double begin = processor_seconds();
+    EXPECT_EQ(refusal_of(request), "accepted");
+    EXPECT_LT(processor_seconds() - begin, 5);  // each with each takes a minute
 }
 
 }  // namespace
