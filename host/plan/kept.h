@@ -30,6 +30,8 @@ struct SortedKept {
     std::vector<std::uint8_t> classes;
     std::size_t members = 0;
     bool has_radius = false;
+
+    std::size_t neighbours() const { return points.size() - members; }
 };
 SortedKept sorted_kept(const Request& request);
 

@@ -300,8 +300,8 @@ def sample(
         said["inside_by_radius"] = made["_promised"]["inside_by_radius"] = True
     if kept is not None:
         said["kept"] = made["_promised"]["kept"]
-        if said["kept"] < len(kept):
-            said["neighbours"] = len(kept) - said["kept"]
+        if neighbours := len(made["_promised"]["neighbours"]):
+            said["neighbours"] = neighbours
     if made["relaxed"] is not None:
         said["relax"] = asked["relax"]
     if asked["gaussian"]:

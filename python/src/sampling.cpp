@@ -71,18 +71,19 @@ nb::dict promises_of(const Claim& claim) {
     promised["distances_only"] = claim.distances_only;
     promised["weights"] = claim.classes.weights;
     promised["counts"] = claim.classes.counts;
-    const Members members({.domain = claim.domain, .keep = claim.keep});
-    const auto is_inside = [&](Point point) { return members.has(point); };
-    promised["kept"] = std::count_if(claim.keep.begin(), claim.keep.end(), is_inside);
-    std::vector<Point> neighbours;
-    std::vector<std::uint8_t> of_neighbours;
-    for (std::size_t i = 0; i < claim.keep.size(); ++i) {
-        if (is_inside(claim.keep[i])) continue;
-        neighbours.push_back(claim.keep[i]);
-        if (!claim.keep_classes.empty()) of_neighbours.push_back(claim.keep_classes[i]);
-    }
-    promised["neighbours"] = array_of(std::move(neighbours));
-    promised["of_neighbours"] = array_of(std::move(of_neighbours));
+    const SortedKept kept = sorted_kept({.domain = claim.domain,
+                                         .radius = claim.radius,
+                                         .classes = claim.classes,
+                                         .keep = claim.keep,
+                                         .keep_classes = claim.keep_classes});
+    const auto members = static_cast<std::ptrdiff_t>(kept.members);
+    promised["kept"] = kept.members;
+    promised["neighbours"] =
+        array_of(std::vector<Point>(kept.points.begin() + members, kept.points.end()));
+    promised["of_neighbours"] =
+        array_of(kept.classes.empty() ? kept.classes
+                                      : std::vector<std::uint8_t>(kept.classes.begin() + members,
+                                                                  kept.classes.end()));
     promised["has_mask"] = claim.mask != nullptr || !claim.classes.masks.empty();
     promised["has_field"] = claim.field != nullptr;
     promised["has_ellipses"] = claim.field != nullptr && !claim.field->stretches.empty();

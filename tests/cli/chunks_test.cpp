@@ -44,13 +44,15 @@ protected:
 
 TEST_F(Chunks, AreProvenWithTheirNeighboursAndNotWithout) {
     make({"--radius", "0.05"});
-    const std::string count = std::to_string(files::read_points(west_).size());
-    EXPECT_NE(summary_.find(", beside " + count + " kept outside, "), std::string::npos)
-        << summary_;
+    const std::vector<Point> west = files::read_points(west_);
+    const std::string count = std::to_string(west.size());
+    const std::string near = std::to_string(
+        std::count_if(west.begin(), west.end(), [](Point p) { return p.x >= 0.95; }));
+    EXPECT_NE(summary_.find(", beside " + near + " kept outside, "), std::string::npos) << summary_;
     const Json set = Json::parse(content_of(json_));
     EXPECT_EQ(set["options"]["keep"], west_);
     EXPECT_EQ(set["options"]["kept"], 0);
-    EXPECT_EQ(std::to_string(set["options"]["neighbours"].get<int>()), count);
+    EXPECT_EQ(std::to_string(set["options"]["neighbours"].get<int>()), near);
 
     const Words claim = with({east_, "--radius", "0.05"}, domain_);
     const Outcome proven = verified(with(claim, {"--keep", west_}));
@@ -80,7 +82,35 @@ TEST_F(Chunks, NameANeighbourThatIsTooClose) {
         << refuted.out;
     const Json report = Json::parse(verified(with(claim, {"--json"})).out);
     EXPECT_EQ(report["sets"][0]["closest_pair"]["points"], Json::parse("[0, 2]"));
-    EXPECT_EQ(report["sets"][0]["neighbours"], 2);
+    EXPECT_EQ(report["sets"][0]["neighbours"], 1);
+}
+
+// With a count the distances, and so the neighbours, are known only when the set is made.
+TEST_F(Chunks, AreNeededOnlyWhereTheyAreNear) {
+    make({"--count", "100"});
+    const Json set = Json::parse(content_of(json_));
+    const std::vector<Point> west = files::read_points(west_);
+    const double begin = 1 - set["radius"].get<double>();
+    const auto near =
+        std::count_if(west.begin(), west.end(), [&](Point p) { return p.x >= begin; });
+    EXPECT_EQ(set["options"]["neighbours"], near);
+    EXPECT_NE(summary_.find(", beside " + std::to_string(near) + " kept"), std::string::npos);
+
+    write_file(west_, "x,y\n0.94,0.5\n");
+    const Outcome alone =
+        run(with({"sample", "--radius", "0.05", "--keep", west_, "-o", json_}, domain_));
+    EXPECT_EQ(alone.err.find("outside"), std::string::npos) << alone.err;
+    EXPECT_EQ(verified({json_}).exit_code, 0);
+}
+
+TEST_F(Chunks, OfManySeedsSayWhatEachAloneWouldSay) {
+    write_file(west_, "x,y,class\n0.999,0.5,a\n0.9,0.2,b\n0.8,0.2,b\n0.7,0.2,b\n");
+    const Words options = with(
+        {"sample", "--class", "a:2", "--class", "b:1", "--count", "200", "--keep", west_}, domain_);
+    const Outcome made = run(with(options, {"--seeds", "0..1", "-o", folder_.path("{seed}.json")}));
+    EXPECT_NE(made.err.find(", beside up to 4 kept outside, "), std::string::npos) << made.err;
+    expect_success(with(options, {"--seed", "1", "-o", json_, "--quiet"}));
+    EXPECT_EQ(content_of(folder_.path("1.json")), content_of(json_));
 }
 
 TEST_F(Chunks, OfClassesAreProven) {

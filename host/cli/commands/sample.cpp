@@ -27,7 +27,6 @@
 #include "cli/terminal/interruption.h"
 #include "files/point_files.h"
 #include "pictures/importance.h"
-#include "plan/sheets.h"
 #include "recipes/settle.h"
 
 namespace lacuna::cli {
@@ -93,7 +92,8 @@ void run(const CommandLine& line, SampleCommand all) {
     const Showing showing{all.ellipse_columns, all.domain.ellipses.are_given()};
     if (all.seeds) {
         sample_seeds(line, options, all.drawing, outputs, *all.seeds,
-                     {json_of(all.domain, request, files), showing, all.frame});
+                     {[&](const Request& one) { return json_of(all.domain, one, files); }, showing,
+                      all.frame});
         return;
     }
     const drawing::Style style = style_of(all.drawing, request.domain);
@@ -101,11 +101,8 @@ void run(const CommandLine& line, SampleCommand all) {
     const bool moves_points = all.moves.are_asked_for();
     Interruption interruption;
     Made made = make(options, all.moves);
-    // Reports have the distances that the set keeps, which differ from those given with a count.
-    Request as_made = request;
-    const double factor = distance_factor(request, made.result);
-    for (double& distance : as_made.classes.distances) distance *= factor;
-    Json decides = json_of(all.domain, as_made, files);
+    const Request made_request = as_made(request, made.result);
+    Json decides = json_of(all.domain, made_request, files);
     Json more{{"request", decides}};
     if (moves_points) {
         decides.update(json_of_moves(moves));
@@ -126,7 +123,7 @@ void run(const CommandLine& line, SampleCommand all) {
     write_set(writing, all.drawing, outputs, set.points(), style, [&] {
         return set.diameters(moves_points ? drawing::Spread::even : drawing::Spread::random);
     });
-    sum_up(options, outputs, made, "point", words_of_kept(request));
+    sum_up(options, outputs, made, "point", words_of_kept(made_request));
 }
 
 void take_seeds(const std::string& text, std::optional<SeedRange>& seeds) {

@@ -24,6 +24,7 @@
 #include "files/read_sets.h"
 #include "files/read_whole.h"
 #include "pictures/importance.h"
+#include "plan/kept.h"
 #include "plan/sheets.h"
 #include "verify/verify.h"
 
@@ -136,8 +137,7 @@ Extremes radii_of(const Request& request) {
 // and matter only to neighbours.
 std::vector<std::uint8_t> classes_of_keep(const Request& request, const DomainFiles& files,
                                           const std::string& path) {
-    if (!files.keep_classes.empty() || kept_inside(request) == request.keep.size())
-        return files.keep_classes;
+    if (!files.keep_classes.empty() || Members(request).are_all()) return files.keep_classes;
     return classes_in(files::read_sets(path), request.classes, files::name_of(path));
 }
 

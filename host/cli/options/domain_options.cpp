@@ -326,17 +326,21 @@ void read_domain_files(const CommandLine& line, const DomainOptions& options, Re
     }
 }
 
-std::size_t kept_inside(const Request& request) {
-    const Members members(request);
-    const auto is_inside = [&](const Point& point) { return members.has(point); };
-    return static_cast<std::size_t>(
-        std::count_if(request.keep.begin(), request.keep.end(), is_inside));
+Request as_made(Request request, const Result& result) {
+    const double factor = distance_factor(request, result);
+    for (double& distance : request.classes.distances) distance *= factor;
+    if (request.field == nullptr) request.radius = result.radius;
+    return request;
 }
 
 std::string words_of_kept(const Request& request) {
-    const std::size_t kept = kept_inside(request), neighbours = request.keep.size() - kept;
-    return (kept == 0 ? "" : fmt::format(", {} of them kept", kept)) +
-           (neighbours == 0 ? "" : fmt::format(", beside {} kept outside", neighbours));
+    const SortedKept kept = sorted_kept(request);
+    // Without a radius all points outside count, although those far away will have no effect.
+    const char* const most = kept.has_radius ? "" : "up to ";
+    return (kept.members == 0 ? "" : fmt::format(", {} of them kept", kept.members)) +
+           (kept.neighbours() == 0
+                ? ""
+                : fmt::format(", beside {}{} kept outside", most, kept.neighbours()));
 }
 
 Json json_of(const DomainOptions& options, const Request& request, const DomainFiles& files) {
@@ -359,9 +363,9 @@ Json json_of(const DomainOptions& options, const Request& request, const DomainF
     if (request.border != 0) json["border"] = request.border;
     if (options.inside_by_radius) json["inside_by_radius"] = true;
     if (options.keep.empty()) return json;
-    const std::size_t kept = kept_inside(request);
-    json.update({{"keep", options.keep}, {"kept", kept}});
-    if (kept < files.keep.size()) json["neighbours"] = files.keep.size() - kept;
+    const SortedKept kept = sorted_kept(request);
+    json.update({{"keep", options.keep}, {"kept", kept.members}});
+    if (kept.has_radius && kept.neighbours() > 0) json["neighbours"] = kept.neighbours();
     return json;
 }
 

@@ -153,9 +153,12 @@ double edge_of(const DomainOptions& options, const Request& request,
 void read_domain_files(const CommandLine& line, const DomainOptions& options, Request& request,
                        DomainFiles& files);
 
-// How many of the kept points lie in the domain. The others are neighbours of the set.
-std::size_t kept_inside(const Request& request);
-// Both numbers, for the line that sums up a run; empty if there are none.
+// The request with the radius and the distances of classes that the set keeps. Those of the request
+// itself are only proportions if it has a count.
+Request as_made(Request request, const Result& result);
+
+// How many points were kept in the domain, and how many outside are near enough to matter, for the
+// line that sums up a run; empty if there are none.
 std::string words_of_kept(const Request& request);
 
 // The options as JSON, for reports and for files that hold the origin of a set.

@@ -171,7 +171,7 @@ void sample_seeds(const CommandLine& line, const CommonOptions& options,
 
     Interruption interruption;
     Request shared = options.request;
-    nlohmann::ordered_json decides = all_sets.options;
+    nlohmann::ordered_json of_frame = nlohmann::ordered_json::object();
     TileFrame frame;
     ManyMade made;
     made.first_seed = seeds.first;
@@ -186,14 +186,15 @@ void sample_seeds(const CommandLine& line, const CommonOptions& options,
             frame = frame_of(shared, *all_sets.frame, driver);
             shared.keep = frame.points;
             shared.keep_classes = frame.classes;
-            decides["frame"] = *all_sets.frame;
-            decides["kept"] = frame.points.size();
+            of_frame = {{"frame", *all_sets.frame}, {"kept", frame.points.size()}};
         }
         sample_many(
             shared, all,
             [&](std::uint64_t seed, Result set) {
                 Request request = shared;
                 request.seed = seed;
+                nlohmann::ordered_json decides = all_sets.options(as_made(request, set));
+                decides.update(of_frame);
                 const files::Origin origin = origin_of(line, request, set, decides);
                 Writing writing(interruption);
                 const MadeSet files(request, set, origin, all_sets.showing);
@@ -210,7 +211,11 @@ void sample_seeds(const CommandLine& line, const CommonOptions& options,
                     made.points / made.sets, style);
     Writing writing(interruption);
     if (!options.report.empty())
-        writing.add(options.report, [&] { return many_report(shared, made, decides); });
+        writing.add(options.report, [&] {
+            nlohmann::ordered_json decides = all_sets.options(shared);
+            decides.update(of_frame);
+            return many_report(shared, made, decides);
+        });
     writing.write();
     sum_up(options, made, shared);
 }

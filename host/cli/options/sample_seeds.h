@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -32,7 +33,8 @@ std::vector<Output> checked_outputs(const CommonOptions& options, SeedRange seed
 
 // What the files of all sets have in common.
 struct AllSets {
-    nlohmann::ordered_json options;  // merged into the options of their origin
+    // Of a request as it was made: merged into the options of its origin.
+    std::function<nlohmann::ordered_json(const Request& as_made)> options;
     Showing showing;
     std::optional<double> frame{};  // the width of what they share, if they are tiles
 };
