@@ -70,6 +70,8 @@ constexpr Pairs kPairs[] = {
      "these are for points that keep a distance"},
     {kSample, "on-pixels", Needs::none_of, "dot-size paper-size dpi",
      "a sample is a pixel: dots are for points in the plane"},
+    {kSample, "on-pixels", Needs::none_of, "backend device threads",
+     "one thread of the cpu places its samples"},
 
     // Moving points
     {kSample, "relax gaussian", Needs::none_of, "progressive", "it moves the points"},

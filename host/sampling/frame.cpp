@@ -64,9 +64,15 @@ void refuse_others(const Request& request) {
 
 void check_width(const Request& request, double width) {
     const double least = kLeastWidth * greatest_distance(request);
+    if (!(least > 0) || std::isinf(least)) return;  // sample() refuses such a radius
     const double half = request.domain.shorter_side() / 2;
     constexpr double kWritten = 1 - 1e-9;  // as least is written in the message
     if (width >= kWritten * least && width < half) return;
+    if (kWritten * least >= half)
+        throw BadRequest("frame", shortest(width),
+                         "1.5 times the greatest distance of two points, " + rounded(least, 10) +
+                             ", must be under half of the domain's shorter side, " +
+                             shortest(half) + ": give a smaller radius or a larger domain");
     throw BadRequest("frame", shortest(width),
                      "must be at least " + rounded(least, 10) +
                          ", 1.5 times the greatest distance of two points, and under half of the "

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/stippling.h"
+#include "expectations.h"
 #include "files/read_points.h"
 #include "program.h"
 
@@ -100,6 +101,8 @@ TEST(StippleFrames, AreCheckedBeforeTheFirstIsMade) {
             "--format", "svg"},
            "must be another file than --frames ");
     expect({all, "-o", folder.path("a.svg")}, "must have {frame} in its name");
+    expect_one_error(run({"stipple", folder.path("in/0.pgm"), "-o", out}), 2,
+                     {"{frame} in its name needs --frames"});
     expect({all, "-o", out, "--relax", "0"}, "with --relax 0: ");
     expect({all, "-o", out, "--inks", "cmyk"}, "with --inks: ");
     std::filesystem::copy(folder.path("in/0.pgm"), folder.path("in/0.png"));

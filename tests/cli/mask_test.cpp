@@ -50,6 +50,12 @@ TEST(Mask, WritesAFileForEachFrame) {
         }
 }
 
+TEST(Mask, OfOneFrameSaysSo) {
+    const Folder folder;
+    const Outcome outcome = run({"mask", "8x8", "--frames", "1", "-o", folder.path("{frame}.png")});
+    EXPECT_TRUE(outcome.err.starts_with("64 thresholds of 16 bits in 1 frame -> ")) << outcome.err;
+}
+
 TEST(Mask, RefusesOtherSidesBitsAndFiles) {
     const Folder folder;
     const std::string path = folder.path("a.png");
@@ -58,6 +64,7 @@ TEST(Mask, RefusesOtherSidesBitsAndFiles) {
              {{"64", "-o", path}, "SIZE 64: must be WIDTHxHEIGHT in pixels, such as 64x64"},
              {{"64x64", "-o", path, "--bits", "9"}, "--bits 9: must be 8 or 16"},
              {{"64x64", "-o", path, "--frames", "2"}, "must have {frame} in its name"},
+             {{"64x64", "-o", folder.path("{frame}.png")}, "{frame} in its name needs --frames"},
              {{"64x64", "-o", folder.path("{frame}.png"), "--frames", "257"},
               "--frames 257: must be 1 to 256 for this size"},
              {{"8x8", "-o", folder.path("{frame}.png"), "--frames", "4000000000"},

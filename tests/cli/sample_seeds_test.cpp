@@ -49,6 +49,8 @@ TEST(SampleSeeds, TakesOneSeedAndSeedsInTheNamesOfFolders) {
     expect_success({"sample", "--count", "50", "--seeds", "3..3", "-o",
                     folder.path("{seed}-of-{seed}.txt"), "--quiet"});
     EXPECT_EQ(folder.names(), Names{"3-of-3.txt"});
+    expect_one_error(run({"sample", "--count", "50", "-o", folder.path("{seed}.txt")}), 2,
+                     {"{seed}.txt: {seed} in its name needs --seeds"});
 }
 
 TEST(SampleSeeds, TellsTheTotalsInOneLineAndInAReport) {

@@ -55,8 +55,9 @@ TEST(Sample, OnPixelsWritesAPictureWithAPixelForEach) {
     const Outcome verified = run({"verify", json, "--distances-only"});
     EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
     EXPECT_NE(verified.out.find("kept"), std::string::npos) << verified.out;
-    expect_success({"sample", "--on-pixels", "40x25", "--count", "300", "--seeds", "1..2", "-o",
-                    folder.path("{seed}.png")});
+    const Outcome sets = run({"sample", "--on-pixels", "40x25", "--count", "300", "--seeds", "1..2",
+                              "-o", folder.path("{seed}.png")});
+    EXPECT_TRUE(sets.err.starts_with("2 sets of 300 points, 0.")) << sets.err;
     EXPECT_EQ(lacuna::pictures::read_image(folder.path("2.png")).rows, 25U);
     expect_one_error(run({"sample", "--on-pixels", "40", "--count", "3"}), 2,
                      {"--on-pixels 40: must be COLUMNSxROWS in pixels, such as 512x80"});

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <span>
@@ -175,6 +176,13 @@ TEST(AFrame, IsRefusedWhereTilesWouldNotFit) {
     EXPECT_EQ(refusal(0.1, nothing), "frame 0.1" + range);
     EXPECT_EQ(refusal(0.5, nothing), "frame 0.5" + range);
     EXPECT_EQ(refusal(std::nan(""), nothing), "frame nan" + range);
+    EXPECT_EQ(refusal(0.2, [](Request& r) { r.radius = std::nan(""); }),
+              "radius nan: must be a finite number greater than 0");
+    EXPECT_EQ(refusal(0.2, [](Request& r) { r.radius = std::numeric_limits<double>::infinity(); }),
+              "radius inf: must be a finite number greater than 0");
+    EXPECT_EQ(refusal(0.2, [](Request& r) { r.radius = 0.4; }),
+              "frame 0.2: 1.5 times the greatest distance of two points, 0.6, must be under half "
+              "of the domain's shorter side, 0.5: give a smaller radius or a larger domain");
     EXPECT_EQ(refusal(0.2, [](Request& r) { r.domain.boundary = Boundary::box; }),
               "frame on a box: is for a torus, whose edges wrap");
     EXPECT_EQ(refusal(0.2, [](Request& r) { r.limit = 9; }),

@@ -76,7 +76,10 @@ std::vector<std::uint16_t> numbers_of(const ThresholdMask& mask, unsigned bits) 
 // The paths of all frames, with the frame's number in place of {frame}: first those of frame 0.
 std::vector<std::string> paths_of_frames(const MaskCommand& options) {
     const std::vector<std::string>& paths = options.output.paths;
-    if (!options.frames) return paths;
+    if (!options.frames) {
+        refuse_frame_in(paths);
+        return paths;
+    }
     constexpr std::uint32_t kMostFrames = 16384;  // of the smallest size
     const std::string frames = std::to_string(*options.frames);
     if (*options.frames > kMostFrames) throw BadRequest("frames", frames, "must be at most 16384");
@@ -123,7 +126,9 @@ void run(const CommandLine& line, const MaskCommand& options) {
         });
     writing.write();
     if (options.quiet || has_standard_output(outputs)) return;
-    const std::string of_frames = options.frames ? fmt::format(" in {} frames", mask.frames) : "";
+    const std::string of_frames =
+        options.frames ? fmt::format(" in {} frame{}", mask.frames, mask.frames == 1 ? "" : "s")
+                       : "";
     const std::string summary =
         fmt::format("{} thresholds of {} bits{} -> {}", numbers.size(), options.bits, of_frames,
                     fmt::join(options.output.paths, ", "));

@@ -265,6 +265,7 @@ std::vector<Point> run_one(const CommandLine& line, const StippleCommand& all) {
 void run(const CommandLine& line, const StippleCommand& all) {
     if (all.frames.empty()) {
         if (all.image.empty()) throw CLI::RequiredError("IMAGE");
+        refuse_frame_in(all.common.output.paths);
         run_one(line, all);
         return;
     }

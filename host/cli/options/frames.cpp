@@ -74,6 +74,10 @@ void check_names_of_frames(const std::string& value, const std::vector<std::stri
                 fmt::format("must have {} in its name, for --frames: {}", kFrame, each));
 }
 
+void refuse_frame_in(const std::vector<std::string>& outputs) {
+    refuse_place(outputs, kFrame, "--frames");
+}
+
 std::string path_of_frame(const std::string& path, const std::string& name) {
     return with_name(path, kFrame, name);
 }

@@ -10,6 +10,8 @@ namespace lacuna::cli {
 // `example` is such a name, and `each` says what each file has, as in "a file a picture".
 void check_names_of_frames(const std::string& value, const std::vector<std::string>& outputs,
                            const char* example, const char* each);
+// Throws BadRequest if an output has {frame} in its name, without --frames.
+void refuse_frame_in(const std::vector<std::string>& outputs);
 // The path with the frame's name in place of {frame}.
 std::string path_of_frame(const std::string& path, const std::string& name);
 

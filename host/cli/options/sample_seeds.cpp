@@ -109,9 +109,9 @@ void sum_up(const CommonOptions& options, const ManyMade& all, const Request& re
     const std::string counts = all.least == all.most ? fmt::format("{}", all.least)
                                                      : fmt::format("{} to {}", all.least, all.most);
     std::string maximal;
-    if (all.maximal == 0)
+    if (all.maximal == 0 && !options.request.on_pixels)
         maximal = ", not maximal";
-    else if (all.maximal < all.sets)
+    else if (all.maximal != 0 && all.maximal < all.sets)
         maximal = fmt::format(", {} of them maximal", all.maximal);
     const std::string summary = fmt::format(
         "{} set{} of {} points{}{}, {:.3f} s, {} -> {}", all.sets, all.sets == 1 ? "" : "s", counts,
@@ -160,6 +160,10 @@ std::vector<Output> checked_outputs(const CommonOptions& options, SeedRange seed
     for (std::size_t i = 0; i < checked.size(); ++i)
         outputs.push_back({options.output.paths[i], checked[i].format});
     return outputs;
+}
+
+void refuse_seed_in(const std::vector<std::string>& outputs) {
+    refuse_place(outputs, kPlace, "--seeds");
 }
 
 void sample_seeds(const CommandLine& line, const CommonOptions& options,

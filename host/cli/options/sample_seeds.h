@@ -31,6 +31,9 @@ SeedRange read_seeds(const std::string& text);
 std::vector<Output> checked_outputs(const CommonOptions& options, SeedRange seeds,
                                     const std::vector<GivenFile>& read);
 
+// Throws BadRequest if an output has {seed} in its name, without --seeds.
+void refuse_seed_in(const std::vector<std::string>& outputs);
+
 // What the files of all sets have in common.
 struct AllSets {
     // Of a request as it was made: merged into the options of its origin.

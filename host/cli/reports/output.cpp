@@ -91,6 +91,14 @@ std::string with_name(std::string path, std::string_view place, const std::strin
     return path;
 }
 
+void refuse_place(const std::vector<std::string>& paths, std::string_view place,
+                  const std::string& option) {
+    for (const std::string& path : paths)
+        if (path.find(place) != std::string::npos)
+            throw BadRequest("output", shown(path),
+                             fmt::format("{} in its name needs {}", place, option));
+}
+
 bool is_stream(const std::string& path) {
     if (path == "-" || files::descriptor_named(path)) return true;
     std::error_code error;

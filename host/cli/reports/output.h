@@ -33,6 +33,11 @@ std::vector<Output> outputs_of(const OutputOptions& options, const std::string& 
 // The path with `name` wherever it has `place`, such as {seed}.
 std::string with_name(std::string path, std::string_view place, const std::string& name);
 
+// Throws BadRequest if a path has `place` in its name, for which only `option` puts in something
+// else, and the option was not given.
+void refuse_place(const std::vector<std::string>& paths, std::string_view place,
+                  const std::string& option);
+
 // Whether the path is no regular file: standard output, a descriptor, a device or a pipe.
 bool is_stream(const std::string& path);
 
