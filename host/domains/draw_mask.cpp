@@ -134,10 +134,13 @@ void check(const PolygonSet& set) {
             option_of(sets.front()), count,
             fmt::format("must leave some of {} open, wider than twice the edge, {:.3g}", all,
                         edge));
+    const double distance = allowed.front().distance;
+    const std::string within =
+        distance == 0 ? "" : fmt::format(", at least {:.3g} from its outline", distance);
     throw BadRequest(
         option_of(allowed.front()), fmt::format("{} in {}", count, extent_of(allowed).text()),
-        fmt::format("must enclose some of {}{}, and be wider than twice the edge, {:.3g}", all,
-                    has_forbidden ? ", that --outside and --avoid leave open" : "", edge));
+        fmt::format("must enclose some of {}{}{}, and be wider than twice the edge, {:.3g}", all,
+                    has_forbidden ? ", that --outside and --avoid leave open" : "", within, edge));
 }
 
 // What a mask needs of the sets once they are drawn.

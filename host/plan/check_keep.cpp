@@ -207,6 +207,7 @@ std::optional<Pair> find_too_close(const Request& request, std::span<const doubl
     for (std::uint32_t i = 0; i < radii.size(); ++i)
         of_class[class_of_kept(request, i)].push_back(i);
     std::vector<Tree> trees;
+    trees.reserve(count);
     for (std::vector<std::uint32_t>& points : of_class)
         trees.emplace_back(request, radii, std::move(points));
     for (std::size_t a = 0; a < count; ++a)

@@ -61,6 +61,8 @@ void check_weights(const Classes& classes) {
         throw BadRequest("class", "all", "have the weight 0: one must be greater");
 }
 
+}  // namespace
+
 void check_distances(const Classes& classes) {
     const std::size_t count = classes.names.size();
     const auto pair_of = [&](std::size_t i) {
@@ -72,7 +74,9 @@ void check_distances(const Classes& classes) {
         throw BadRequest("between", pair_of(i), allowed);
     };
     if (classes.distances.size() != count * count)
-        throw BadRequest("between", std::to_string(classes.distances.size()) + " distances",
+        throw BadRequest("between",
+                         std::to_string(classes.distances.size()) +
+                             (classes.distances.size() == 1 ? " distance" : " distances"),
                          "must be a matrix of " + std::to_string(count) + " x " +
                              std::to_string(count) + ", for as many classes");
     double least = std::numeric_limits<double>::infinity(), greatest = 0;
@@ -95,6 +99,8 @@ void check_distances(const Classes& classes) {
                          "the greatest must be at most " + shortest(kMostRatio) +
                              " times the least that is not 0");
 }
+
+namespace {
 
 void check_counts(const Request& request) {
     const Classes& classes = request.classes;

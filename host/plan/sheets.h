@@ -77,6 +77,8 @@ bool has_own_places(const Classes& classes);
 // Whether a class has a number of points.
 bool has_counts(const Classes& classes);
 
+// Checks the distances of classes that have names. Throws BadRequest.
+void check_distances(const Classes& classes);
 // Checks the names, radii, weights and distances of classes. Throws BadRequest.
 void check_classes(const Request& request);
 

@@ -7,11 +7,14 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/number_text.h"
 #include "plan/sheets.h"
 #include "recipes/read.h"
+#include "recipes/words.h"
 
 namespace lacuna::recipes {
 namespace {
@@ -22,6 +25,18 @@ struct ClassText {
     double weight = 1;
     std::optional<std::uint64_t> count;
 };
+
+// Reads a number that is a part of an option's value, and names both if it is none.
+template <class Number>
+void read_part(const char* option, const std::string& value, const std::string& part,
+               const std::string& what, Number& number) {
+    try {
+        read(option, part, number);
+    } catch (const BadRequest& error) {
+        const std::string message = error.what();
+        throw BadRequest(option, shown(value), what + message.substr(message.rfind(": ") + 1));
+    }
+}
 
 ClassText read_class(const std::string& text) {
     std::vector<std::string> parts(1);
@@ -35,11 +50,27 @@ ClassText read_class(const std::string& text) {
     if (parts.size() > 4 || read_text.name.empty())
         throw BadRequest("class", shown(text),
                          "must be NAME:RADIUS, NAME:RADIUS:WEIGHT or NAME:RADIUS:WEIGHT:N");
-    if (parts.size() > 1 && !parts[1].empty()) read("class", parts[1], read_text.radius);
+    if (parts.size() > 1 && !parts[1].empty())
+        read_part("class", text, parts[1], "its radius", read_text.radius);
     const bool has_weight = parts.size() == 3 || (parts.size() == 4 && !parts[2].empty());
-    if (has_weight) read("class", parts[2], read_text.weight);
-    if (parts.size() == 4) read("class", parts[3], read_text.count);
+    if (has_weight) read_part("class", text, parts[2], "its weight", read_text.weight);
+    if (parts.size() == 4)
+        read_part("class", text, parts[3], "its number of points", read_text.count);
     return read_text;
+}
+
+// Half of the distance that two points of each class keep, or all points: the radius of an object.
+// 0 while the request has no radius, or one that will be refused.
+std::vector<double> radii_of_objects(const Request& request) {
+    const Classes& classes = request.classes;
+    const std::size_t count = classes.names.size();
+    const double radius = request.radius.value_or(0);
+    const double half = radius > 0 && std::isfinite(radius) ? radius / 2 : 0;
+    if (count == 0) return {half};
+    std::vector<double> radii;
+    for (std::size_t i = 0; i < count; ++i)
+        radii.push_back(classes.distances[i * (count + 1)] / least_distance_of(classes) * half);
+    return radii;
 }
 
 }  // namespace
@@ -67,6 +98,7 @@ Classes read_classes(const ClassOptions& options,
     classes.distances = options.has_file()           ? read_matrix(options.between)
                         : options.between == "union" ? distances_by_union(radii)
                                                      : distances_by_sum(radii);
+    check_distances(classes);
     return classes;
 }
 
@@ -76,18 +108,33 @@ void take_size_of_classes(Request& request) {
     size = least_distance_of(request.classes);
 }
 
+std::string among_names(const std::vector<std::string>& names) {
+    if (names.empty()) return "";
+    return " (" + listed(std::vector<std::string_view>(names.begin(), names.end())) + ")";
+}
+
+void check_room_of_objects(const Request& request) {
+    const double shorter = request.domain.shorter_side();
+    for (std::size_t i = 0; i < std::max<std::size_t>(1, request.classes.names.size()); ++i) {
+        const double radius = border_of(request, i);
+        if (!(radius >= shorter / 2) || !(shorter > 0) || std::isinf(radius)) continue;
+        const std::string of_class =
+            request.classes.names.empty() ? "" : " of class " + request.classes.names[i];
+        throw BadRequest("inside-by-radius", "with objects" + of_class,
+                         "their radius is " + shortest(radius) +
+                             ": must be under half of the domain's shorter side, " +
+                             shortest(shorter / 2) + ", or there is no place for them");
+    }
+}
+
 void take_borders(const std::vector<std::string>& borders, bool inside_by_radius,
                   Request& request) {
     Classes& classes = request.classes;
     const std::size_t count = classes.names.size();
     if (inside_by_radius) {
-        classes.borders.clear();
-        // An object's diameter is the distance that two of its kind keep.
-        const double radius = request.radius.value_or(0) / 2;
-        if (classes.names.empty()) request.border = radius;
-        for (std::size_t i = 0; i < count; ++i)
-            classes.borders.push_back(classes.distances[i * (count + 1)] /
-                                      least_distance_of(classes) * radius);
+        classes.borders = radii_of_objects(request);
+        if (count == 0) request.border = std::exchange(classes.borders, {}).front();
+        check_room_of_objects(request);
         return;
     }
     std::optional<double> of_all;
@@ -97,14 +144,18 @@ void take_borders(const std::vector<std::string>& borders, bool inside_by_radius
         const auto found = std::find(classes.names.begin(), classes.names.end(),
                                      text.substr(0, std::min(colon, text.size())));
         if (colon != std::string::npos && found == classes.names.end())
-            throw BadRequest("border", shown(text),
-                             "must be D, or NAME:D with the name of a class");
+            throw BadRequest(
+                "border", shown(text),
+                "must be D, or NAME:D with the name of a class" + among_names(classes.names));
         std::optional<double>& border =
             colon == std::string::npos
                 ? of_all
                 : own[static_cast<std::size_t>(found - classes.names.begin())];
         if (border) throw BadRequest("border", shown(text), "is given twice");
-        read("border", colon == std::string::npos ? text : text.substr(colon + 1), border);
+        if (colon == std::string::npos)
+            read("border", text, border);
+        else
+            read_part("border", text, text.substr(colon + 1), "D", border);
     }
     if (of_all) request.border = *of_all;
     const auto has_own = [](const std::optional<double>& one) { return one.has_value(); };

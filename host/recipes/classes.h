@@ -24,6 +24,14 @@ Classes read_classes(const ClassOptions& options,
 // request has one already, or a count.
 void take_size_of_classes(Request& request);
 
+// The names of classes for the end of a message, as in " (trees or grass)"; empty if there are
+// none.
+std::string among_names(const std::vector<std::string>& names);
+
+// Checks that the domain has a place for an object of each class, whose borders are those of
+// --inside-by-radius. Throws BadRequest.
+void check_room_of_objects(const Request& request);
+
 // Gives the request and its classes the borders of --border, D or NAME:D each, or those of
 // --inside-by-radius. The request has its classes and its size. Throws BadRequest.
 void take_borders(const std::vector<std::string>& borders, bool inside_by_radius, Request& request);

@@ -54,6 +54,7 @@ constexpr Pairs kPairs[] = {
     {kSample | kVerify, "mask", Needs::none_of, "inside outside avoid",
      "draw these into the picture"},
     {kSample | kVerify, "inside-by-radius", Needs::none_of, "border", "both say how far to stay"},
+    {kSample, "inside-by-radius", Needs::none_of, "on-pixels", "its samples keep no distance"},
     {kSample | kVerify, "inside-by-radius", Needs::none_of, "count",
      "the radius must be known before: give it"},
     {kSample | kVerify, "inside-by-radius", Needs::none_of, "field ellipses stretch",
@@ -133,15 +134,16 @@ bool any_of_names(std::string_view names, const Visit& visit) {
     return false;
 }
 
-// The numbers that switch an option off.
+// The numbers that switch an option off, or leave it to Lacuna, as auto does the backend.
 struct Off {
     std::string_view option;
     double number;
 };
-constexpr Off kOff[] = {{"along", 1},  {"border", 0}, {"gaussian", 0},
-                        {"margin", 0}, {"relax", 0},  {"round-size", 0}};
+constexpr Off kOff[] = {{"along", 1}, {"border", 0},     {"gaussian", 0}, {"margin", 0},
+                        {"relax", 0}, {"round-size", 0}, {"threads", 0}};
 
 bool is_off(const GivenOption& one) {
+    if (one.name == "backend") return !one.values.empty() && one.values.front() == "auto";
     const auto* const off = std::find_if(std::begin(kOff), std::end(kOff), [&](const Off& known) {
         return known.option == one.name;
     });

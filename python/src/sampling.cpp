@@ -25,6 +25,7 @@
 #include "plan/kept.h"
 #include "plan/sheets.h"
 #include "polygon_sets.h"
+#include "recipes/classes.h"
 #include "recipes/settle.h"
 #include "sampling/on_pixels.h"
 #include "watch.h"
@@ -201,6 +202,8 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* ma
     request.field = field;
     request.mask = mask;
     read(given, "border_of_all", request.border);
+    if (given.contains("inside_by_radius") && nb::cast<bool>(given["inside_by_radius"]))
+        recipes::check_room_of_objects(request);
     const recipes::Moves moves = moves_of(given);
     settle(given, moves, request);
     std::vector<PolygonSets> sets = polygons_of_classes(polygons);

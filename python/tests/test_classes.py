@@ -244,6 +244,10 @@ def test_without_classes_an_object_is_as_wide_as_the_distance_of_two() -> None:
     [
         ({"border": {"rocks": 1}}, "border 'rocks': must be the name of a class"),
         ({"border": 0.1, "inside_by_radius": True}, "border with inside_by_radius: both say"),
+        (
+            {"classes": {"a": 0.6, "b": 0.1}, "inside_by_radius": True},
+            "inside_by_radius with objects of class a: their radius is 0.6: must be under half",
+        ),
         ({"torus": True, "inside_by_radius": True}, "inside_by_radius with torus: a torus has no"),
         ({"mask": [[1]], "inside_by_radius": True}, "inside_by_radius with mask: its pixels"),
         ({"n": 9, "inside_by_radius": True}, "inside_by_radius with n: the radius must be known"),

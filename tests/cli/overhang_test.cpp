@@ -237,9 +237,11 @@ TEST(BordersOfClasses, AreRefusedInOneLine) {
     };
     const Names kinds{"--class", "a:0.1", "--class", "b:0.03"};
     EXPECT_EQ(refusal(with(kinds, {"--border", "c:1"})),
-              "lacuna: --border c:1: must be D, or NAME:D with the name of a class\n");
+              "lacuna: --border c:1: must be D, or NAME:D with the name of a class (a or b)\n");
     EXPECT_EQ(refusal(with(kinds, {"--border", "a:wide"})),
-              "lacuna: --border wide: must be a number, such as 0.01 or 1e-2\n");
+              "lacuna: --border a:wide: D must be a number, such as 0.01 or 1e-2\n");
+    EXPECT_EQ(refusal(with(kinds, {"--border", "a:"})),
+              "lacuna: --border a:: D must be a number, such as 0.01 or 1e-2\n");
     EXPECT_EQ(refusal(with(kinds, {"--border", "a:0.1", "--border", "a:0.2"})),
               "lacuna: --border a:0.2: is given twice\n");
     EXPECT_EQ(refusal(with(kinds, {"--border", "0.1", "--border", "0.2"})),
@@ -254,6 +256,38 @@ TEST(BordersOfClasses, AreRefusedInOneLine) {
               by_radius + "count: the radius must be known before: give it\n");
     EXPECT_EQ(refusal({"--inside-by-radius", "--radius", "0.1", "--torus"}),
               by_radius + "torus: a torus has no edges\n");
+}
+
+TEST(Objects, ThatHaveNoPlaceAreNamed) {
+    const Folder folder;
+    const auto refusal = [](const Names& arguments) {
+        const Outcome outcome =
+            run("sample", with(arguments, {"--inside-by-radius", "--format", "csv"}));
+        EXPECT_EQ(outcome.exit_code, 2);
+        return outcome.err;
+    };
+    const std::string half =
+        "must be under half of the domain's shorter side, 0.5, or there is no "
+        "place for them\n";
+    EXPECT_EQ(refusal({"--class", "a:0.6", "--class", "b:0.02"}),
+              "lacuna: --inside-by-radius with objects of class a: their radius is 0.6: " + half);
+    EXPECT_EQ(refusal({"--radius", "1.2"}),
+              "lacuna: --inside-by-radius with objects: their radius is 0.6: " + half);
+    EXPECT_EQ(refusal({"--radius", "nan"}),
+              "lacuna: --radius nan: must be a finite number greater than 0\n");
+    const std::string strip = folder.path("strip.txt");
+    write_file(strip, "0.4 0.1\n0.45 0.1\n0.45 0.9\n0.4 0.9\n");
+    const std::string narrow =
+        "must enclose some of the domain, [0, 1) x [0, 1), at least 0.1 from its outline, and be "
+        "wider than twice the edge, 0.00125\n";
+    const Names in_strip{"--class", "a:0.1", "--class", "b:0.01", "--domain", "1x1", "--inside"};
+    EXPECT_EQ(refusal(with(in_strip, {strip})),
+              "lacuna: --inside 1 ring in [0.4, 0.45] x [0.1, 0.9] for class a: " + narrow);
+    EXPECT_EQ(
+        refusal(with(in_strip, {"c:" + strip})),
+        "lacuna: --inside c:" + strip + ": there is no such file, and c is not a class (a or b)\n");
+    EXPECT_EQ(refusal(with(in_strip, {"a:"})),
+              "lacuna: --inside a:: must be NAME:FILE, with a file\n");
 }
 
 }  // namespace overhang_test

@@ -212,6 +212,12 @@ TEST(Classes, AreRefusedInOneLine) {
               "lacuna: --class a with 1 points: is the only class: give a limit instead\n");
     EXPECT_EQ(refusal({"--class", "a:0"}),
               "lacuna: --class a:0: its radius must be a finite number over 0\n");
+    EXPECT_EQ(refusal({"--class", "a:1:x"}),
+              "lacuna: --class a:1:x: its weight must be a number, such as 0.01 or 1e-2\n");
+    write_file(folder.path("m.csv"), "");
+    EXPECT_EQ(refusal({"--class", "a", "--class", "b", "--between", folder.path("m.csv"),
+                       "--inside-by-radius"}),
+              "lacuna: --between 0 distances: must be a matrix of 2 x 2, for as many classes\n");
     write_file(folder.path("m.csv"), "1,2\n2\n");
     EXPECT_EQ(refusal({"--class", "a", "--class", "b", "--between", folder.path("m.csv")}),
               "lacuna: " + folder.path("m.csv") + ":2: 1 numbers: the first row has 2\n");

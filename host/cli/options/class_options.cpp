@@ -6,16 +6,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
 #include <system_error>
 
 #include "base/number_text.h"
+#include "domains/rings.h"
 #include "drawing/dot_size.h"
 #include "files/parse.h"
 #include "files/read_whole.h"
 #include "files/text_lines.h"
 #include "plan/sheets.h"
+#include "recipes/classes.h"
 
 namespace lacuna::cli {
 namespace {
@@ -87,6 +91,19 @@ std::pair<std::string, std::string> class_and_path(const std::string& text,
     if (colon == text.size() || std::find(names.begin(), names.end(), name) == names.end())
         return {"", text};
     return {name, text.substr(colon + 1)};
+}
+
+void check_class_of_file(const std::string& option, const std::string& text,
+                         const std::string& path, const std::vector<std::string>& names) {
+    if (names.empty()) return;
+    if (path.empty()) throw BadRequest(option, shown(text), "must be NAME:FILE, with a file");
+    const std::string name = path.substr(0, path.find(':'));
+    if (path != text || name == path || name.find('/') != std::string::npos ||
+        std::filesystem::exists(domains::file_and_layer(path).file))
+        return;
+    throw BadRequest(option, shown(text),
+                     "there is no such file, and " + shown(name) + " is not a class" +
+                         recipes::among_names(names));
 }
 
 std::vector<std::uint8_t> classes_in(const files::SetsOfFile& file, const Classes& classes,

@@ -96,6 +96,21 @@ Polygons read_polygons_of(const std::string& option, const std::string& path) {
     }
 }
 
+// A BadRequest for places that leave nothing names the class.
+template <class Draw>
+Mask draw_for_class(const std::string& name, const Draw& draw) {
+    try {
+        return draw();
+    } catch (const BadRequest& error) {
+        const std::string what = error.what();
+        const std::size_t begin = error.option().size() + 1;
+        const std::size_t colon = std::min(what.find(": ", begin), what.size());
+        if (error.option() == "edge") throw;
+        throw BadRequest(error.option(), what.substr(begin, colon - begin) + " for class " + name,
+                         what.substr(std::min(colon + 2, what.size())));
+    }
+}
+
 // Adds the images of the rings around a torus.
 void repeat(const Request& request, std::vector<PolygonRing>& rings) {
     const std::vector<PolygonRing> own = rings;
@@ -184,10 +199,12 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
     }
     for (const std::vector<std::string>* paths : {&options.inside, &options.outside})
         for (const std::string& text : *paths) {
-            const auto& [own, path] = class_and_path(text, names_of_classes(options, request));
+            const std::vector<std::string>& names = names_of_classes(options, request);
+            const auto& [own, path] = class_and_path(text, names);
             files.own.push_back(own);
             const bool forbidden = paths == &options.outside;
             const char* const option = forbidden ? "outside" : "inside";
+            check_class_of_file(option, text, path, names);
             const Polygons& polygons = files.polygons.emplace_back(read_polygons_of(option, path));
             files.kinds.push_back({.forbidden = forbidden, .option = option, .name = shown(path)});
             if (polygons.page) give_shape(*polygons.page);
@@ -315,13 +332,15 @@ void read_domain_files(const CommandLine& line, const DomainOptions& options, Re
         request.mask = &*files.mask;
         return;
     }
-    for (const Clearances& own : all) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Clearances& own = all[i];
         if (own.empty()) {
             request.classes.masks.push_back(nullptr);
             continue;
         }
         const auto [drawn, is_new] = files.masks_of_classes.try_emplace(own);
-        if (is_new) drawn->second = draw(own);
+        if (is_new)
+            drawn->second = draw_for_class(request.classes.names[i], [&] { return draw(own); });
         request.classes.masks.push_back(&drawn->second);
     }
 }

@@ -33,6 +33,10 @@ std::vector<double> read_matrix(const std::string& path);
 // class has the name before the first colon.
 std::pair<std::string, std::string> class_and_path(const std::string& text,
                                                    const std::vector<std::string>& names);
+// Throws BadRequest for --OPTION TEXT if it looks like NAME:FILE, but names neither a class nor a
+// file. `path` is what class_and_path() found.
+void check_class_of_file(const std::string& option, const std::string& text,
+                         const std::string& path, const std::vector<std::string>& names);
 
 // The class of each point of a file, as places in `classes`. `name` stands for the file in
 // messages. Throws FileError if points have no class, or one that is not among the classes.
