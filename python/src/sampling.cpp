@@ -81,10 +81,10 @@ nb::dict promises_of(const Claim& claim) {
     promised["kept"] = kept.members;
     promised["neighbours"] =
         array_of(std::vector<Point>(kept.points.begin() + members, kept.points.end()));
-    promised["of_neighbours"] =
-        array_of(kept.classes.empty() ? kept.classes
-                                      : std::vector<std::uint8_t>(kept.classes.begin() + members,
-                                                                  kept.classes.end()));
+    std::vector<std::uint8_t> of_neighbours;
+    if (!kept.classes.empty())
+        of_neighbours.assign(kept.classes.begin() + members, kept.classes.end());
+    promised["of_neighbours"] = array_of(std::move(of_neighbours));
     promised["has_mask"] = claim.mask != nullptr || !claim.classes.masks.empty();
     promised["has_field"] = claim.field != nullptr;
     promised["has_ellipses"] = claim.field != nullptr && !claim.field->stretches.empty();
