@@ -256,7 +256,7 @@ def test_without_classes_an_object_is_as_wide_as_the_distance_of_two() -> None:
 )
 def test_what_is_wrong_with_a_border_is_named(arguments: dict[str, Any], message: str) -> None:
     with pytest.raises(lacuna.BadRequest, match=message):
-        lacuna.sample(classes=KINDS, **arguments)
+        lacuna.sample(**{"classes": KINDS, **arguments})
 
 
 def test_polygons_of_classes_hold_their_points_alone(tmp_path: Path) -> None:
