@@ -36,17 +36,21 @@ struct LatticeOfPlan {
     double height;
 };
 
+// Distances are counted in the shorter step, so along the longer step samples are this much farther
+// apart than they need be.
+constexpr double kMostUneven = 1.01;
+
 // Section 4.2: m / r_min lines. The step along y is nearly the same, so that the height is a whole
-// number of steps. If the height is less than half a step, steps are as long as the height.
+// number of steps. Where few steps fit in the height, rounding their number up may make them much
+// shorter. Then there are more lines, so that the step along x is as short.
 LatticeOfPlan lattice_of(const Request& request, const FieldSums& sums, double scale) {
     LatticeOfPlan lattice{scale / std::sqrt(sums.greatest), 0, 0};
     lattice.lines = std::max(
         1.0, std::ceil(lines_per_radius(request) * request.domain.width / lattice.least_radius));
-    lattice.height = std::round(lattice.lines * request.domain.height / request.domain.width);
-    if (lattice.height < 1) {
-        lattice.lines = std::ceil(request.domain.width / request.domain.height);
-        lattice.height = 1;
-    }
+    const double height = lattice.lines * request.domain.height / request.domain.width;
+    lattice.height = std::max(1.0, std::round(height));
+    if (lattice.height > kMostUneven * height)
+        lattice.lines = std::round(lattice.height * request.domain.width / request.domain.height);
     return lattice;
 }
 

@@ -76,12 +76,12 @@ CellsCheck::CellsCheck(const Request& request, std::vector<Point> points)
     const double across =
         std::ceil(*request.paper2011.lines_per_radius * request.domain.width / least_radius_);
     columns_ = std::max(static_cast<std::int64_t>(across), std::int64_t{1});
-    rows_ =
-        std::llround(static_cast<double>(columns_) * request.domain.height / request.domain.width);
-    if (rows_ < 1) {
-        columns_ = std::llround(std::ceil(request.domain.width / request.domain.height));
-        rows_ = 1;
-    }
+    const double up = static_cast<double>(columns_) * request.domain.height / request.domain.width;
+    rows_ = std::max(std::llround(up), 1LL);
+    // Steps along y that are over 1 % shorter than those along x make these shorter, too.
+    if (static_cast<double>(rows_) > 1.01 * up)
+        columns_ =
+            std::llround(static_cast<double>(rows_) * request.domain.width / request.domain.height);
     step_ = std::min(request.domain.width / static_cast<double>(columns_),
                      request.domain.height / static_cast<double>(rows_));
     for (const Point point : points_) places_.push_back(place_of(point));

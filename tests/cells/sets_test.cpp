@@ -162,24 +162,29 @@ TEST(CellsSets, RadiiFarLargerThanTheDomainCountInFull) {
     }
 }
 
+// A row that is lower than a few of the steps that m asks for. At 16 and 12 it is 0.6 and 0.8 of
+// such a step high, at 6 and 4 it is 1.7 and 2.5.
 TEST(CellsSets, ARowOfPixelsIsFilledToItsEnds) {
     const Field field = tests::constant_field(1000, 1);
     Request request;
     request.mode = Mode::cells;
     request.field = &field;
     request.domain.width = 1000;
-    request.scale = 125;
-    for (request.seed = 0; request.seed < 20; ++request.seed) {
-        std::vector<double> places;
-        for (const Point point : sample(request).points) places.push_back(point.x);
-        std::sort(places.begin(), places.end());
-        ASSERT_FALSE(places.empty());
-        constexpr double kStep = 1;  // as long as the row is high
-        EXPECT_LE(places.front(), 125 + kStep);
-        EXPECT_GE(places.back(), 1000 - 125 - kStep);
-        for (std::size_t i = 1; i < places.size(); ++i) {
-            EXPECT_GE(places[i] - places[i - 1], 125);
-            EXPECT_LE(places[i] - places[i - 1], 2 * (125 + kStep));
+    request.paper2011.lines_per_radius = 10;
+    for (const double radius : {125.0, 16.0, 12.0, 6.0, 4.0}) {
+        request.scale = radius;
+        for (request.seed = 0; request.seed < 20; ++request.seed) {
+            std::vector<double> places;
+            for (const Point point : sample(request).points) places.push_back(point.x);
+            std::sort(places.begin(), places.end());
+            ASSERT_FALSE(places.empty());
+            const double step = std::min(1.0, radius / 10);  // no longer than the row is high
+            EXPECT_LE(places.front(), radius + step) << radius;
+            EXPECT_GE(places.back(), 1000 - radius - step) << radius;
+            for (std::size_t i = 1; i < places.size(); ++i)
+                EXPECT_LE(places[i] - places[i - 1], 2 * (radius + step)) << radius;
+            const CellsCheck check(request, sample(request).points);
+            EXPECT_TRUE(check.keeps_its_distances(By::brute_force)) << radius;
         }
     }
 }
