@@ -25,6 +25,10 @@ namespace {
 // side. Then the margin is only a little larger than the kept points need, and units stay fine.
 constexpr double kPixels = 64;
 
+// The domain's shorter side has at least this share of the units along the longer side of the
+// domain with its margins: 2^10 units, with 16 classes 2^8.
+constexpr double kLeastShare = 0x1p-20;
+
 // How far a point lies outside, along both axes.
 Point way_out(const Domain& domain, Point point) {
     const auto along = [](double at, double low, double high) {
@@ -58,6 +62,19 @@ struct Margins {
         behind = pixels.behind * part;
     }
 };
+
+void check_margins(const Domain& domain, const Margins& across, const Margins& up) {
+    const double most = domain.shorter_side() / kLeastShare;
+    const double longer = std::max(across.before + domain.width + across.behind,
+                                   up.before + domain.height + up.behind);
+    if (!(longer <= most))
+        throw BadRequest(
+            "keep",
+            "a point " + shortest(std::max({across.before, across.behind, up.before, up.behind})) +
+                " outside",
+            "is within the greatest distance, but with it the domain may be at most " +
+                shortest(most) + " long, 2^20 times its shorter side, or the grid's units run out");
+}
 
 // The masks of all classes have as many pixels (check_kept). Null if there is none.
 const Mask* first_mask_of(const Request& request) {
@@ -149,6 +166,7 @@ Around around_kept(const Request& request, const Poll& poll) {
     Around around{request, {}};
     const bool is_larger = across.before > 0 || across.behind > 0 || up.before > 0 || up.behind > 0;
     if (!is_larger) return around;
+    check_margins(domain, across, up);
     if (const Mask* const mask = first_mask_of(request)) {
         across.round_to(domain.width, mask->columns, domain.longer_side());
         up.round_to(domain.height, mask->rows, domain.longer_side());

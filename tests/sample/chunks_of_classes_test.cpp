@@ -8,9 +8,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "backends/radius_field_requests.h"
+#include "refusal.h"
 #include "sample/chunk_requests.h"
 
 namespace chunks_of_classes_test {
@@ -82,6 +84,28 @@ TEST(ChunksOfClasses, MeasureBordersFromTheirOwnEdges) {
     for (std::size_t kind = 0; kind < 3; ++kind) {
         EXPECT_GE(least[kind], request.classes.borders[kind]) << kind;
         EXPECT_LT(least[kind], request.classes.borders[kind] + 0.02) << kind;
+    }
+}
+
+// The domain would have no unit of the grid that it shares with the points outside.
+TEST(ChunksOfClasses, RefuseDistancesFarBeyondTheDomain) {
+    for (const double far : {1e6, 1e9, 1e10}) {
+        Request request;
+        request.classes.names = {"trees", "grass"};
+        request.classes.distances = {2 * far, far, far, far / 1000};
+        request.border = 0.3;
+        const std::vector<Point> keep{{-far, 0.5}};
+        const std::vector<std::uint8_t> keep_classes{0};
+        request.keep = keep;
+        request.keep_classes = keep_classes;
+        const std::string refusal = tests::refusal_of([&] { sample(request); });
+        if (far == 1e6)
+            EXPECT_EQ(refusal, "accepted");
+        else
+            EXPECT_EQ(refusal, "keep a point " + std::string(far == 1e9 ? "1e+09" : "1e+10") +
+                                   " outside: is within the greatest distance, but with it the "
+                                   "domain may be at most 1048576 long, 2^20 times its shorter "
+                                   "side, or the grid's units run out");
     }
 }
 
