@@ -25,9 +25,11 @@ namespace {
 // side. Then the margin is only a little larger than the kept points need, and units stay fine.
 constexpr double kPixels = 64;
 
-// The domain's shorter side has at least this share of the units along the longer side of the
-// domain with its margins: 2^10 units, with 16 classes 2^8.
-constexpr double kLeastShare = 0x1p-20;
+// How long the domain with its margins may be, in shorter sides of the domain and in pixels of its
+// mask. The shorter side then has 2^10 units of the grid or more, with 16 classes 2^8, and pixels
+// can be counted.
+constexpr double kMostSides = 0x1p20;
+constexpr double kMostPixels = 0x1p30;
 
 // How far a point lies outside, along both axes.
 Point way_out(const Domain& domain, Point point) {
@@ -63,8 +65,20 @@ struct Margins {
     }
 };
 
-void check_margins(const Domain& domain, const Margins& across, const Margins& up) {
-    const double most = domain.shorter_side() / kLeastShare;
+// The masks of all classes have as many pixels (check_kept). Null if there is none.
+const Mask* first_mask_of(const Request& request) {
+    const Mask* first = mask_of(request, 0);
+    for (std::size_t i = 1; first == nullptr && i < request.classes.masks.size(); ++i)
+        first = mask_of(request, i);
+    return first;
+}
+
+void check_margins(const Domain& domain, const Mask* mask, const Margins& across,
+                   const Margins& up) {
+    double most = kMostSides * domain.shorter_side();
+    if (mask != nullptr)
+        most = std::min(
+            most, kMostPixels * std::min(domain.width / mask->columns, domain.height / mask->rows));
     const double longer = std::max(across.before + domain.width + across.behind,
                                    up.before + domain.height + up.behind);
     if (!(longer <= most))
@@ -73,15 +87,8 @@ void check_margins(const Domain& domain, const Margins& across, const Margins& u
             "a point " + shortest(std::max({across.before, across.behind, up.before, up.behind})) +
                 " outside",
             "is within the greatest distance, but with it the domain may be at most " +
-                shortest(most) + " long, 2^20 times its shorter side, or the grid's units run out");
-}
-
-// The masks of all classes have as many pixels (check_kept). Null if there is none.
-const Mask* first_mask_of(const Request& request) {
-    const Mask* first = mask_of(request, 0);
-    for (std::size_t i = 1; first == nullptr && i < request.classes.masks.size(); ++i)
-        first = mask_of(request, i);
-    return first;
+                shortest(most) +
+                " long: 2^20 times its shorter side, and 2^30 pixels of a mask or of polygons");
 }
 
 bool have_masks_as_many_pixels(const Request& request) {
@@ -166,10 +173,11 @@ Around around_kept(const Request& request, const Poll& poll) {
     Around around{request, {}};
     const bool is_larger = across.before > 0 || across.behind > 0 || up.before > 0 || up.behind > 0;
     if (!is_larger) return around;
-    check_margins(domain, across, up);
-    if (const Mask* const mask = first_mask_of(request)) {
-        across.round_to(domain.width, mask->columns, domain.longer_side());
-        up.round_to(domain.height, mask->rows, domain.longer_side());
+    const Mask* const first = first_mask_of(request);
+    check_margins(domain, first, across, up);
+    if (first != nullptr) {
+        across.round_to(domain.width, first->columns, domain.longer_side());
+        up.round_to(domain.height, first->rows, domain.longer_side());
     }
     std::map<const Mask*, const Mask*> padded{{nullptr, nullptr}};
     const auto pad = [&](const Mask* mask) {

@@ -87,26 +87,32 @@ TEST(ChunksOfClasses, MeasureBordersFromTheirOwnEdges) {
     }
 }
 
-// The domain would have no unit of the grid that it shares with the points outside.
+// The domain, or a pixel of its mask, would have no unit of the grid that it shares with the points
+// outside.
 TEST(ChunksOfClasses, RefuseDistancesFarBeyondTheDomain) {
-    for (const double far : {1e6, 1e9, 1e10}) {
+    const auto refusal = [](double far, const Mask* mask) {
         Request request;
         request.classes.names = {"trees", "grass"};
         request.classes.distances = {2 * far, far, far, far / 1000};
         request.border = 0.3;
+        request.mask = mask;
         const std::vector<Point> keep{{-far, 0.5}};
         const std::vector<std::uint8_t> keep_classes{0};
         request.keep = keep;
         request.keep_classes = keep_classes;
-        const std::string refusal = tests::refusal_of([&] { sample(request); });
-        if (far == 1e6)
-            EXPECT_EQ(refusal, "accepted");
-        else
-            EXPECT_EQ(refusal, "keep a point " + std::string(far == 1e9 ? "1e+09" : "1e+10") +
-                                   " outside: is within the greatest distance, but with it the "
-                                   "domain may be at most 1048576 long, 2^20 times its shorter "
-                                   "side, or the grid's units run out");
-    }
+        return tests::refusal_of([&] { sample(request); });
+    };
+    const std::string begin = " outside: is within the greatest distance, but with it the domain ";
+    const std::string end =
+        " long: 2^20 times its shorter side, and 2^30 pixels of a mask or of "
+        "polygons";
+    EXPECT_EQ(refusal(1e6, nullptr), "accepted");
+    EXPECT_EQ(refusal(1e9, nullptr), "keep a point 1e+09" + begin + "may be at most 1048576" + end);
+    EXPECT_EQ(refusal(1e10, nullptr),
+              "keep a point 1e+10" + begin + "may be at most 1048576" + end);
+    const Mask fine{65536, 1, std::vector<std::uint8_t>(65536, 1)};
+    EXPECT_EQ(refusal(1e4, &fine), "accepted");
+    EXPECT_EQ(refusal(1e5, &fine), "keep a point 1e+05" + begin + "may be at most 16384" + end);
 }
 
 }  // namespace chunks_of_classes_test
