@@ -165,5 +165,21 @@ TEST(SetsOfPolygons, HaveTheSamplesOfPixelsWhoseCentresLieInThem) {
     EXPECT_THROW(sample(request), BadRequest);
 }
 
+// The field is 0 at the middles of all pixels of the drawn mask, which is coarser.
+TEST(SetsOfPolygons, HaveACountOnAFieldThatIsFinerThanTheirMask) {
+    const std::vector<PolygonRing> small{rectangle(0.49, 0.51, 0.49, 0.51)};
+    const PolygonSet set{.rings = small, .forbidden = true};
+    const Field field{9, 1, {1, 0, 0, 0, 0, 0, 0, 0, 0}};
+    Request request;
+    const Mask mask = draw_places({&set, 1}, request.domain, 0.4);
+    ASSERT_LT(mask.columns, 5U);
+    request.field = &field;
+    request.mask = &mask;
+    request.count = 50;
+    const std::vector<Point> points = sample(request).points;
+    EXPECT_EQ(points.size(), 50U);
+    for (const Point& point : points) EXPECT_LT(point.x, 1.0 / 9 + 1e-8);
+}
+
 }  // namespace polygon_sets_test
 }  // namespace lacuna
