@@ -17,6 +17,40 @@
 namespace lacuna {
 namespace {
 
+// The pixels on which a stretch of a mask's side lies, and how much of it lies on each. Positions
+// are in pixels of the mask, of which its side has `count`.
+std::vector<std::pair<std::size_t, double>> pixels_under(std::size_t first, std::size_t end,
+                                                         std::size_t count, std::size_t pixels) {
+    const auto at = [&](std::size_t pixel) {
+        return static_cast<double>(pixel * count) / static_cast<double>(pixels);
+    };
+    std::vector<std::pair<std::size_t, double>> found;
+    for (std::size_t pixel = first * pixels / count; pixel * count < end * pixels; ++pixel)
+        found.emplace_back(pixel, std::min(static_cast<double>(end), at(pixel + 1)) -
+                                      std::max(static_cast<double>(first), at(pixel)));
+    return found;
+}
+
+// The integral of the importance where the mask allows samples, over that of the greatest
+// importance everywhere.
+double exact_share(const Mask& mask, const Field& field, double greatest, const Poll& poll) {
+    double sum = 0;
+    const auto add = [&](std::size_t left, std::size_t top, std::size_t columns, std::size_t rows) {
+        const auto across = pixels_under(left, left + columns, mask.columns, field.columns);
+        for (const auto& [down, height] : pixels_under(top, top + rows, mask.rows, field.rows))
+            for (const auto& [right, width] : across)
+                sum += height * width * field.importance[down * field.columns + right] / greatest;
+    };
+    if (mask.drawn)
+        mask.drawn->tree.for_each_allowed(
+            [&](std::uint32_t column, std::uint32_t row, std::uint32_t columns,
+                std::uint32_t rows) { add(column, mask.rows - row - rows, columns, rows); });
+    for_each_polled(mask.allowed.size(), poll, [&](std::size_t i) {
+        if (mask.allowed[i] != 0) add(i % mask.columns, i / mask.columns, 1, 1);
+    });
+    return sum / mask.columns / mask.rows;
+}
+
 // The integral of the importance where samples of a class may lie, as a fraction of a domain that
 // has the greatest importance everywhere.
 double share_of(const Request& request, std::size_t of_class, double greatest, const Poll& poll) {
@@ -36,30 +70,7 @@ double share_of(const Request& request, std::size_t of_class, double greatest, c
     const auto middle_in = [](std::size_t i, std::size_t count, std::size_t pixels) {
         return (2 * i + 1) * pixels / (2 * count);
     };
-    if (mask->drawn) {
-        mask->drawn->tree.for_each_allowed([&](std::uint32_t column, std::uint32_t row,
-                                               std::uint32_t columns, std::uint32_t rows) {
-            // The pixels of a rectangle whose middles lie on one row of the field, and on one
-            // column.
-            const auto runs = [&](std::size_t first, std::size_t end, std::size_t count,
-                                  std::size_t pixels) {
-                std::vector<std::pair<std::size_t, double>> found;
-                for (std::size_t i = first; i < end; ++i) {
-                    const std::size_t pixel = middle_in(i, count, pixels);
-                    if (found.empty() || found.back().first != pixel) found.emplace_back(pixel, 0);
-                    found.back().second += 1;
-                }
-                return found;
-            };
-            const std::size_t top = mask->rows - row - rows;
-            const auto across = runs(column, column + columns, mask->columns, field->columns);
-            for (const auto& [down, lines] : runs(top, top + rows, mask->rows, field->rows))
-                for (const auto& [right, pixels] : across)
-                    sum += lines * pixels * field->importance[down * field->columns + right] /
-                           greatest;
-        });
-        return inside * sum / mask->columns / mask->rows;
-    }
+    if (mask->drawn) return inside * exact_share(*mask, *field, greatest, poll);
     // For each pixel of a grid, mask and importance at its middle are taken.
     const auto share_on = [&](std::size_t columns, std::size_t rows) {
         sum = 0;
@@ -82,8 +93,8 @@ double share_of(const Request& request, std::size_t of_class, double greatest, c
     };
     const double share = share_on(mask->columns, mask->rows);
     if (share > 0 || field == nullptr) return share;
-    // The field may be 0 at the middles of all pixels of a mask that is coarser.
-    return share_on(std::max(mask->columns, field->columns), std::max(mask->rows, field->rows));
+    // The field may be 0 at the middles of all pixels of the mask.
+    return inside * exact_share(*mask, *field, greatest, poll);
 }
 
 double greatest_of(const Request& request) {

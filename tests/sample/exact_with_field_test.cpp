@@ -163,6 +163,11 @@ TEST(ASetWithARadiusField, OfACountOnAMaskThatIsCoarserThanTheField) {
     request.mask = &mask;
     request.count = 50;
     EXPECT_EQ(sample(request).points.size(), 50U);
+    // Of the left pixel of the field the right fifth is allowed, and the middle of no pixel there.
+    const Field fifth{2, 1, {1, 0}};
+    mask = {5, 1, {0, 0, 1, 0, 0}};
+    request.field = &fifth;
+    EXPECT_EQ(sample(request).points.size(), 50U);
     const Field left{2, 1, {1, 0}};
     mask = {2, 1, {0, 1}};
     request.field = &left;
