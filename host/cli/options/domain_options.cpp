@@ -135,7 +135,9 @@ const std::vector<std::string>& names_of_classes(const DomainOptions& options,
 void read_masks(const DomainOptions& options, const std::function<void(const Domain&)>& give_shape,
                 Request& request, DomainFiles& files) {
     for (const std::string& text : options.mask) {
-        const auto& [own, path] = class_and_path(text, names_of_classes(options, request));
+        const std::vector<std::string>& names = names_of_classes(options, request);
+        const auto& [own, path] = class_and_path(text, names);
+        check_class_of_file("mask", text, path, names);
         const auto [read, is_new] = files.pictures.try_emplace(own);
         if (!is_new)
             throw BadRequest(
