@@ -51,8 +51,8 @@ std::vector<double> matrix_of_csv(std::string_view bytes, const std::string& nam
         const std::string place = fmt::format("{}:{}", name, number);
         const std::vector<double> row = numbers_of(line, place);
         if (columns != 0 && row.size() != columns)
-            files::refuse(place,
-                          fmt::format("{} numbers: the first row has {}", row.size(), columns));
+            files::refuse(place, fmt::format("{} number{}: the first row has {}", row.size(),
+                                             row.size() == 1 ? "" : "s", columns));
         columns = row.size();
         all.insert(all.end(), row.begin(), row.end());
     }

@@ -1,0 +1,200 @@
+// Draws the polygons and obstacles of a command's options onto masks, for all points or for each
+// class.
+#include <lacuna/domains.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/options/domain_options.h"
+#include "plan/sheets.h"
+#include "plan/sizes.h"
+#include "recipes/classes.h"
+#include "sampling/on_pixels.h"
+
+namespace lacuna::cli {
+namespace {
+
+// How far the outline of polygons may be off without --edge, in least radii. 1/16 keeps the mask
+// small and the error well under the distance of points.
+constexpr double kEdge = 1.0 / 16;
+
+double greatest_of(const DomainFiles& files) {
+    if (!files.field) return 1;
+    return *std::max_element(files.field->importance.begin(), files.field->importance.end());
+}
+
+// An edge for the estimate of an area: fine enough for the places to have some thousand pixels
+// along their outlines, whatever the extent of the domain.
+double coarse_edge(const Request& request, std::span<const PolygonSet> sets) {
+    constexpr double kSteps = 8192;
+    const double longer = request.domain.longer_side();
+    double length = 0;
+    for (const PolygonSet& set : sets)
+        for (const PolygonRing& ring : set.rings)
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Point& to = ring[(i + 1) % ring.size()];
+                length += std::hypot(to.x - ring[i].x, to.y - ring[i].y) + set.distance;
+            }
+    return std::clamp(length / kSteps, longer * 0x1p-23, longer / 1000);
+}
+
+// The places with a coarse outline. Where nothing is wide enough for it, with a finer one.
+Mask coarse_places(const Request& request, std::span<const PolygonSet> sets) {
+    constexpr double kLeast = 0x1p-22;  // of the longer side
+    const double longer = request.domain.longer_side();
+    double edge = coarse_edge(request, sets);
+    for (; edge >= longer * kLeast; edge /= 4) {
+        try {
+            return draw_places(sets, request.domain, edge);
+        } catch (const BadRequest&) {  // finer places may be left
+        }
+    }
+    return draw_places(sets, request.domain, edge);
+}
+
+// The least radius of the set. For a count it is the radius of a maximal set of this size.
+double least_radius(const Request& request, std::span<const PolygonSet> sets,
+                    const DomainFiles& files) {
+    if (request.on_pixels) return least_pixel_step(*request.on_pixels, request.domain);
+    const double greatest = greatest_of(files);
+    if (request.radius) return *request.radius;
+    if (request.scale) return *request.scale / std::sqrt(greatest);
+    if (!request.count || *request.count == 0) return request.domain.longer_side() / 1000;
+    const Mask mask = coarse_places(request, sets);
+    Request trial = request;
+    trial.mask = &mask;
+    return radius_field_scale_for_count(trial, static_cast<double>(*request.count)) /
+           std::sqrt(greatest);
+}
+
+// A BadRequest for places that leave nothing names the class.
+template <class Draw>
+Mask draw_for_class(const std::string& name, const Draw& draw) {
+    try {
+        return draw();
+    } catch (const BadRequest& error) {
+        const std::string what = error.what();
+        const std::size_t begin = error.option().size() + 1;
+        const std::size_t colon = std::min(what.find(": ", begin), what.size());
+        if (error.option() == "edge") throw;
+        throw BadRequest(error.option(), what.substr(begin, colon - begin) + " for class " + name,
+                         what.substr(std::min(colon + 2, what.size())));
+    }
+}
+
+// Adds the images of the rings around a torus.
+void repeat(const Request& request, std::vector<PolygonRing>& rings) {
+    const std::vector<PolygonRing> own = rings;
+    for (const int across : {-1, 0, 1})
+        for (const int up : {-1, 0, 1})
+            for (const PolygonRing& ring : own) {
+                if (across == 0 && up == 0) continue;
+                PolygonRing& image = rings.emplace_back(ring);
+                for (Point& point : image)
+                    point = {point.x + across * request.domain.width,
+                             point.y + up * request.domain.height};
+            }
+}
+
+}  // namespace
+
+std::vector<std::vector<PolygonRing>> rings_of(const Request& request, const DomainFiles& files) {
+    std::vector<std::vector<PolygonRing>> rings;
+    for (const Polygons& polygons : files.polygons) {
+        rings.push_back(fitted(polygons, request.domain));
+        const bool is_obstacle = files.kinds[rings.size() - 1].distance > 0;
+        if (is_obstacle && request.domain.wraps()) repeat(request, rings.back());
+    }
+    return rings;
+}
+
+std::vector<Clearances> clearances_of(const DomainOptions& options, const Request& request,
+                                      const DomainFiles& files) {
+    const std::vector<std::string>& names = request.classes.names;
+    bool are_alike = request.classes.borders.empty();
+    for (std::size_t kind = 0; kind < files.kinds.size(); ++kind) {
+        const std::string& own = files.own[kind];
+        are_alike &= own.empty();
+        if (!own.empty() && std::find(names.begin(), names.end(), own) == names.end())
+            throw BadRequest(files.kinds[kind].option, own, "is no class of this set");
+    }
+    const auto is_one_for = [&](std::size_t kind, std::size_t of_class) {
+        return !files.own[kind].empty() && files.own[kind] == names[of_class];
+    };
+    std::vector<Clearances> all(are_alike ? 1 : names.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        bool has_inside = false;  // of its own
+        for (std::size_t kind = 0; kind < files.kinds.size(); ++kind)
+            has_inside |= !files.kinds[kind].forbidden && is_one_for(kind, i);
+        for (std::size_t kind = 0; kind < files.kinds.size(); ++kind) {
+            const auto& [rings, forbidden, width, option, name] = files.kinds[kind];
+            const bool is_for_all = files.own[kind].empty() && (forbidden || !has_inside);
+            if (!is_for_all && !is_one_for(kind, i)) continue;
+            const bool has_border = width == 0 || options.inside_by_radius;  // 0: no obstacle
+            all[i].emplace_back(kind, width + (has_border ? border_of(request, i) : 0));
+        }
+    }
+    return all;
+}
+
+std::vector<PolygonSet> sets_of(const Clearances& clearances, std::span<const PolygonSet> kinds,
+                                std::span<const std::vector<PolygonRing>> rings) {
+    std::vector<PolygonSet> sets;
+    for (const auto& [kind, distance] : clearances) {
+        PolygonSet& set = sets.emplace_back(kinds[kind]);
+        set.rings = rings[kind];
+        set.distance = distance;
+    }
+    return sets;
+}
+
+double edge_of(const DomainOptions& options, const Request& request,
+               std::span<const PolygonSet> sets, const DomainFiles& files) {
+    if (options.edge) return *options.edge;
+    const double edge = kEdge * least_radius(request, sets, files);
+    // If the edge is invalid, so is the radius, and the check of the request will refuse that.
+    if (edge > 0 && std::isfinite(edge)) return edge;
+    return request.domain.longer_side() / 1000;
+}
+
+void read_domain_files(const CommandLine& line, const DomainOptions& options, Request& request,
+                       DomainFiles& files) {
+    read_given_files(line, options, request, files);
+    recipes::take_borders(options.borders, options.inside_by_radius, request);
+    take_masks(files, request);
+    if (files.polygons.empty()) return;
+    const std::vector<std::vector<PolygonRing>> rings = rings_of(request, files);
+    const std::vector<Clearances> all = clearances_of(options, request, files);
+    const auto draw = [&](const Clearances& clearances) {
+        return draw_places(sets_of(clearances, files.kinds, rings), request.domain, files.edge,
+                           request.place.memory_limit_bytes);
+    };
+    const Clearances& some = *std::max_element(
+        all.begin(), all.end(),
+        [](const Clearances& a, const Clearances& b) { return a.size() < b.size(); });
+    files.edge = edge_of(options, request, sets_of(some, files.kinds, rings), files);
+    if (all.size() == 1) {
+        files.mask = draw(all.front());
+        request.mask = &*files.mask;
+        return;
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Clearances& own = all[i];
+        if (own.empty()) {
+            request.classes.masks.push_back(nullptr);
+            continue;
+        }
+        const auto [drawn, is_new] = files.masks_of_classes.try_emplace(own);
+        if (is_new)
+            drawn->second = draw_for_class(request.classes.names[i], [&] { return draw(own); });
+        request.classes.masks.push_back(&drawn->second);
+    }
+}
+
+}  // namespace lacuna::cli
