@@ -11,6 +11,7 @@
 #include "base/number_text.h"
 #include "plan/checked_request.h"
 #include "plan/mask_tree.h"
+#include "plan/radius_field.h"
 #include "plan/sheets.h"
 #include "plan/sizes.h"
 
