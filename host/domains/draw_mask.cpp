@@ -101,12 +101,12 @@ Extent extent_of(std::span<const PolygonSet> sets) {
 }
 
 bool is_allowed(const PolygonSet& set) {
-    return !set.forbidden;
+    return !set.forbidden && !set.near;
 }
 
 std::string option_of(const PolygonSet& set) {
     if (!set.option.empty()) return set.option;
-    return set.forbidden ? "outside" : "inside";
+    return set.near ? "near" : set.forbidden ? "outside" : "inside";
 }
 
 void check(const PolygonSet& set) {
@@ -140,7 +140,8 @@ void check(const PolygonSet& set) {
     throw BadRequest(
         option_of(allowed.front()), fmt::format("{} in {}", count, extent_of(allowed).text()),
         fmt::format("must enclose some of {}{}{}, and be wider than twice the edge, {:.3g}", all,
-                    has_forbidden ? ", that --outside and --avoid leave open" : "", within, edge));
+                    has_forbidden ? ", that --outside, --avoid and --near leave open" : "", within,
+                    edge));
 }
 
 // What a mask needs of the sets once they are drawn.
@@ -156,7 +157,8 @@ std::shared_ptr<const DrawnMask> drawn(std::span<const PolygonSet> sets,
     for (const PolygonSet& set : sets)
         owned->sets.push_back({.rings = owned->rings[owned->sets.size()],
                                .forbidden = set.forbidden,
-                               .distance = set.distance});
+                               .distance = set.distance,
+                               .near = set.near});
     const auto mask = std::make_shared<DrawnMask>(DrawnMask{std::move(tree), {}});
     const MaskTree* const pixels = &mask->tree;
     mask->holds = [owned, pixels, canvas](Point at) {
@@ -196,7 +198,7 @@ void check_places(std::span<const PolygonSet> sets, const Domain& domain) {
     std::map<std::pair<std::string, std::string>, Extent> files;
     for (const PolygonSet& set : sets) {
         check(set);
-        files[{option_of(set), set.name}].add(set, set.forbidden ? set.distance : 0);
+        files[{option_of(set), set.name}].add(set, set.forbidden || set.near ? set.distance : 0);
     }
     for (const auto& [file, extent] : files)
         if (!extent.meets(domain))

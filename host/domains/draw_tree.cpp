@@ -142,7 +142,7 @@ public:
     }
 
     std::optional<MaskTree> draw() {
-        const State all{0, active_.size(), false};
+        const State all{0, active_.size(), false, false};
         const MaskTree::Piece root = piece_of(tree_.root() + 2, 0, 0, all);
         if (tree_.nodes().size() > most_nodes_) return std::nullopt;
         tree_.set_root(root);
@@ -152,6 +152,7 @@ public:
 private:
     struct Kind {
         bool forbidden;
+        bool near;
         bool keeps_distance;
         double reach;
     };
@@ -171,11 +172,13 @@ private:
         std::size_t begin;  // of the sets in active_
         std::size_t end;
         bool is_allowed;  // whether the square lies inside of a set that is not forbidden
+        bool is_near;     // whether it lies near enough to a set
     };
 
     void add(const PolygonSet& set) {
-        const Kind kind{set.forbidden, set.distance > 0,
-                        set.distance + canvas_.domain.longer_side() * 0x1p-27};
+        const double spare = canvas_.domain.longer_side() * 0x1p-27;
+        const Kind kind{set.forbidden, set.near, set.distance > 0,
+                        set.near ? std::max(0.0, set.distance - spare) : set.distance + spare};
         Active active{
             static_cast<std::uint32_t>(kinds_.size()), false, {near_.size(), 0}, {left_.size(), 0}};
         for (const PolygonRing& ring : set.rings)
@@ -186,7 +189,8 @@ private:
         active.left.end = left_.size();
         active_.push_back(active);
         kinds_.push_back(kind);
-        has_inside_ |= !set.forbidden;
+        has_inside_ |= !set.forbidden && !set.near;
+        has_near_ |= set.near;
     }
 
     // Edges and squares are seen from the domain's corner.
@@ -258,18 +262,25 @@ private:
 
     // What the sets of a square say about a part of it. Those that do not decide are in `part`.
     Answer narrow(const State& state, const Square& square, State& part) {
-        part = {active_.size(), active_.size(), state.is_allowed};
+        part = {active_.size(), active_.size(), state.is_allowed, state.is_near};
         bool may_be_allowed = state.is_allowed || !has_inside_;
+        bool may_be_near = state.is_near || !has_near_;
         for (std::size_t i = state.begin; i < state.end; ++i) {
             const Active active = active_[i];
             const bool forbidden = kinds_[active.kind].forbidden;
+            if (kinds_[active.kind].near) {
+                const Answer answer = part.is_near ? Answer::yes : narrow_near(active, square);
+                part.is_near |= answer == Answer::yes;
+                may_be_near |= answer != Answer::no;
+                continue;
+            }
             if (!forbidden && part.is_allowed) continue;
             const Answer answer = narrow(active, square);
             if (forbidden && answer == Answer::no) return Answer::no;
             if (!forbidden && answer == Answer::yes) part.is_allowed = true;
             if (!forbidden && answer != Answer::no) may_be_allowed = true;
         }
-        if (!may_be_allowed) return Answer::no;
+        if (!may_be_allowed || !may_be_near) return Answer::no;
         part.end = active_.size();
         return part.begin == part.end ? Answer::yes : Answer::in_parts;
     }
@@ -309,6 +320,22 @@ private:
             is_inside ^= edge.first_row <= square.first_row && square.first_row < edge.end_row;
         }
         return is_inside != kind.forbidden ? Answer::yes : Answer::no;
+    }
+
+    // The same for a set that samples must be near to: yes if all of the square is near one edge.
+    Answer narrow_near(const Active& outer, const Square& square) {
+        ask_after(1 + outer.near.end - outer.near.begin);
+        const double reach = kinds_[outer.kind].reach * kinds_[outer.kind].reach;
+        Active active{outer.kind, false, {near_.size(), 0}, {left_.size(), left_.size()}};
+        for (std::size_t i = outer.near.begin; i < outer.near.end; ++i) {
+            const Edge& edge = edges_[near_[i]];
+            if (is_all_near(square, edge, reach)) return Answer::yes;
+            if (is_near(square, edge, reach)) near_.push_back(near_[i]);
+        }
+        active.near.end = near_.size();
+        if (active.near.begin == active.near.end || square.level == 0) return Answer::no;
+        active_.push_back(active);
+        return Answer::in_parts;
     }
 
     // Whether an edge that does not meet the square crosses some of its rows to the left of it. The
@@ -358,6 +385,7 @@ private:
     std::size_t most_nodes_;
     MaskTree tree_;
     bool has_inside_ = false;
+    bool has_near_ = false;
     std::vector<Kind> kinds_;
     std::vector<Edge> edges_;
     // Stacks: of sets, and of numbers of edges.
@@ -374,9 +402,10 @@ std::optional<MaskTree> draw_tree(std::span<const PolygonSet> sets, const Canvas
 }
 
 bool allow(std::span<const PolygonSet> sets, Point at) {
-    bool has_inside = false, is_allowed = false;
+    bool has_inside = false, is_allowed = false, has_near = false, is_near = false;
     for (const PolygonSet& set : sets) {
-        has_inside |= !set.forbidden;
+        has_inside |= !set.forbidden && !set.near;
+        has_near |= set.near;
         bool is_inside = false, is_too_near = false;
         for (const PolygonRing& ring : set.rings)
             for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -386,10 +415,12 @@ bool allow(std::span<const PolygonSet> sets, Point at) {
                 if ((from.y > at.y) == (to.y > at.y)) continue;
                 is_inside ^= at.x < from.x + (at.y - from.y) / (to.y - from.y) * (to.x - from.x);
             }
+        is_near |= set.near && is_too_near;
+        if (set.near) continue;
         if (set.forbidden && (is_inside || is_too_near)) return false;
         is_allowed |= !set.forbidden && is_inside && !is_too_near;
     }
-    return is_allowed || !has_inside;
+    return (is_allowed || !has_inside) && (is_near || !has_near);
 }
 
 }  // namespace lacuna::domains

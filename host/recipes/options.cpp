@@ -130,6 +130,9 @@ constexpr Row kRows[] = {
      "Obstacles that points stay away from: points of a .csv, by its column radius, or lines and "
      "outlines of a .svg, .geojson or .txt, within WIDTH; FILE.svg#NAME as for --inside; may be "
      "given several times"},
+    {{"near", "FILE[:D]", Kind::obstacles, kPlaced, {.repeats = true}},
+     "Points lie within D of the lines, outlines or points in this file, which is as for --avoid; "
+     "may be given several times, and points are then near to any"},
     {{"edge", "E", Kind::number, kPlaced},
      "How far inside the outline of polygons points may begin (default: a sixteenth of the least "
      "radius)"},

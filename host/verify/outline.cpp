@@ -214,6 +214,12 @@ Openness Outline::under(const Cell& cell, double clearance, Side side) const {
             least_squared_distance(cell) <= most};
 }
 
+Openness Outline::within(const Cell& cell, double distance) const {
+    if (edges_.empty() || distance <= 0) return {false, true};
+    if (least_of_farthest_squared(cell) < square(distance)) return {true, false};
+    return {least_squared_distance(cell) < square(distance), true};
+}
+
 double Outline::depth_of(Point place) const {
     if (edges_.empty()) return -kNoEdge;
     return is_inside(place) ? nearest(place) : -nearest(place);

@@ -29,6 +29,9 @@ public:
     // With Side::outside, open places lie deeper outside than the clearance.
     Openness under(const Cell& cell, double clearance, Side side = Side::inside) const;
 
+    // The same for open places that lie nearer than `distance` to some edge, on either side.
+    Openness within(const Cell& cell, double distance) const;
+
     // Distance to the nearest edge. It is positive inside, where an odd number of rings goes around
     // the place, and negative outside. Without any ring it is -infinity.
     double depth_of(Point place) const;

@@ -2,13 +2,17 @@
 #include "verify/region.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace lacuna::verify {
 
 Region::Region(std::span<const PolygonSet> sets) {
     for (const PolygonSet& set : sets)
-        (set.forbidden ? forbidden_ : allowed_).push_back({Outline(set.rings), set.distance});
+        (set.near        ? near_
+         : set.forbidden ? forbidden_
+                         : allowed_)
+            .push_back({Outline(set.rings), set.distance});
 }
 
 Openness Region::under(const Cell& cell, double clearance) const {
@@ -23,7 +27,13 @@ Openness Region::under(const Cell& cell, double clearance) const {
         all.has_open &= one.has_open;
         all.has_closed |= one.has_closed;
     }
-    return all;
+    Openness near{.has_open = near_.empty(), .has_closed = !near_.empty()};
+    for (const auto& [outline, distance] : near_) {
+        const Openness one = outline.within(cell, distance - clearance);
+        near.has_open |= one.has_open;
+        near.has_closed &= one.has_closed;
+    }
+    return {all.has_open && near.has_open, all.has_closed || near.has_closed};
 }
 
 double Region::depth_of(Point place) const {
@@ -33,7 +43,10 @@ double Region::depth_of(Point place) const {
         depth = std::max(depth, outline.depth_of(place) - distance);
     for (const auto& [outline, distance] : forbidden_)
         depth = std::min(depth, -outline.depth_of(place) - distance);
-    return depth;
+    double within = near_.empty() ? kFar : -kFar;
+    for (const auto& [outline, distance] : near_)
+        within = std::max(within, distance - std::abs(outline.depth_of(place)));
+    return std::min(depth, within);
 }
 
 }  // namespace lacuna::verify

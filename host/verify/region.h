@@ -1,5 +1,5 @@
-// Where several sets of polygons let samples lie: inside of any that is not forbidden, and outside
-// of all that are.
+// Where several sets of polygons let samples lie: inside of any that is not forbidden, outside of
+// all that are, and near to any that samples must be near to.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -31,6 +31,7 @@ private:
     };
     std::vector<Kept> allowed_;  // none: samples may lie everywhere
     std::vector<Kept> forbidden_;
+    std::vector<Kept> near_;  // none: samples may lie far from all
 };
 
 }  // namespace lacuna::verify

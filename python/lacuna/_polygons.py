@@ -98,7 +98,7 @@ def _read(path: str | bytes | os.PathLike[Any], as_lines: bool) -> Polygons:
 
 
 def read_lines(path: str | bytes | os.PathLike[Any]) -> Polygons:
-    """Read lines and outlines from a file, for ``avoid`` of ``sample`` and ``verify``.
+    """Read lines and outlines from a file, for ``avoid`` and ``near`` of ``sample`` and ``verify``.
 
     A line becomes a ring that goes there and back, an outline one that goes around and back, and a
     point a ring of one point: nothing lies inside of these.
@@ -167,7 +167,7 @@ class _Place:
             scale = width / self.page[0], height / self.page[1]
             with np.errstate(over="ignore", invalid="ignore"):  # the library refuses inf and NaN
                 rings = [(x0, y0) + ring * scale for ring in rings]
-        if torus and self.argument == "avoid":
+        if torus and self.argument in ("avoid", "near"):
             sides = (-1.0, 0.0, 1.0)
             images = [np.multiply((i, j), (width, height)) for i in sides for j in sides]
             rings = [ring + image for ring in rings for image in images]
@@ -175,7 +175,12 @@ class _Place:
 
 
 def places_of(
-    inside: object, outside: object, avoid: object, border: float = 0.0, inner: str = "inside"
+    inside: object,
+    outside: object,
+    avoid: object,
+    near: object,
+    border: float = 0.0,
+    inner: str = "inside",
 ) -> list[_Place]:
     """The places of these arguments. ``border`` is the distance from outlines, and ``inner`` the
     name of the first argument."""
@@ -185,19 +190,24 @@ def places_of(
         for kind, some in (given.items() if isinstance(given, Mapping) else [(None, given)])
         for one in _several(some)
     ]
-    if avoid is None:
-        return places
-    if not isinstance(avoid, (list, tuple)) or not all(
-        isinstance(one, (list, tuple)) and len(one) == 2 for one in avoid
-    ):
-        raise TypeError(
-            f"avoid must be a list of pairs of lines and their distance, not {shown(avoid)}"
-        )
-    for lines, distance in avoid:
-        width = real("avoid", distance)
-        if not 0 < width < np.inf:
-            raise BadRequest(f"avoid {width}: a distance must be a finite number over 0", "avoid")
-        places.append(_Place("avoid", lines, True, width))
+    for argument, given in (("avoid", avoid), ("near", near)):
+        if given is None:
+            continue
+        if not isinstance(given, (list, tuple)) or not all(
+            isinstance(one, (list, tuple)) and len(one) == 2 for one in given
+        ):
+            raise TypeError(
+                f"{argument} must be a list of pairs of lines and their distance, not "
+                f"{shown(given)}"
+            )
+        for lines, distance in given:
+            width = real(argument, distance)
+            if not 0 < width < np.inf:
+                raise BadRequest(
+                    f"{argument} {width}: a distance must be a finite number over 0", argument
+                )
+            # A class with places of its own must be near, too, as it must avoid obstacles.
+            places.append(_Place(argument, lines, True, width))
     return places
 
 
@@ -233,13 +243,18 @@ def sets_on(
     if own and len(each) == 1:
         each = each * len(names)
     sets = [(place, place.on(asked["domain"], asked["torus"])) for place in places]
+
+
+    def has_border(name: str) -> bool:
+        return name != "near" and (are_radii or name != "avoid")
+
     of_classes = []
     kinds: list[str | None] = [*names] or [None]
     for border, kind in zip(each, kinds):
         has_inside = any(one.kind == kind and not one.is_forbidden for one in places if own)
         of_classes.append(
             [
-                (name, rings, forbidden, width + (border if are_radii or name != "avoid" else 0.0))
+                (name, rings, forbidden, width + (border if has_border(name) else 0.0))
                 for place, (name, rings, forbidden, width) in sets
                 if place.kind == kind
                 or (place.kind is None and (place.is_forbidden or not has_inside))
@@ -287,6 +302,7 @@ def draw_mask(
     *,
     outside: Places = None,
     avoid: Obstacles | None = None,
+    near: Obstacles | None = None,
     border: SupportsFloat = 0,
     torus: bool = False,
     domain: Domain | None = None,
@@ -309,11 +325,14 @@ def draw_mask(
         Polygons in which no pixel is True.
     avoid : list of (Polygons or iterable of array_like, float), optional
         Obstacles: lines, outlines and points, and the distance in which no pixel is True.
-        ``read_lines`` reads them; an array of one row is a point.
+        ``read_lines`` reads them; an array of one row is a point, of two a line, and of more an
+        outline with its inside.
+    near : list of (Polygons or iterable of array_like, float), optional
+        Likewise, and the distance from any of them within which pixels are True.
     border : float
         The least distance of pixels that are True to the outlines of ``rings`` and ``outside``.
     torus : bool
-        Whether ``avoid`` reaches around the edges of the domain.
+        Whether ``avoid`` and ``near`` reach around the edges of the domain.
     edge : float
         How far inside of the outline pixels may begin to be True. The command takes a sixteenth of
         the least radius.
@@ -347,7 +366,7 @@ def draw_mask(
     True
     """
     distance = real("border", border)
-    places = places_of(rings, outside, avoid, distance, "rings")
+    places = places_of(rings, outside, avoid, near, distance, "rings")
     asked = options(
         domain=around(places) if domain is None else domain,
         edge=edge,

@@ -44,6 +44,7 @@ def sample(
     inside: PlacesOfClasses = None,
     outside: PlacesOfClasses = None,
     avoid: Obstacles | None = None,
+    near: Obstacles | None = None,
     edge: SupportsFloat | None = None,
     border: Border = 0,
     inside_by_radius: bool = False,
@@ -112,7 +113,11 @@ def sample(
         class that has ``inside`` of its own lies in that alone. Not with a mask.
     avoid : list of (Polygons or iterable of array_like, float), optional
         Obstacles: lines, outlines and points, and the distance that points keep from them.
-        ``read_lines`` reads them; an array of one row is a point.
+        ``read_lines`` reads them; an array of one row is a point, of two a line, and of more an
+        outline with its inside.
+    near : list of (Polygons or iterable of array_like, float), optional
+        Lines, outlines and points as for ``avoid``, and the distance within which points lie from
+        any of them.
     edge : float, optional
         How far inside of these outlines points may begin, in the unit of ``domain``; points never
         lie outside. By default a sixteenth of the least radius; needed with ``n``.
@@ -268,7 +273,7 @@ def sample(
     allowed, own_masks = masks_of(mask, kinds)
     least = min((one for one in kinds.get("distances", ()) if one > 0), default=radius)
     borders = borders_of(border, inside_by_radius, kinds, least)
-    places = places_of(inside, outside, avoid)
+    places = places_of(inside, outside, avoid, near)
     if domain is None and on_pixels is not None:
         domain = raster_in("on_pixels", on_pixels)
     if domain is None:
@@ -284,7 +289,7 @@ def sample(
     asked.update(kinds | borders.options | own_masks)
     arrays = {
         "field": field, "ellipses": ellipses, "mask": mask, "inside": inside, "outside": outside,
-        "avoid": avoid, "keep": keep, "class": classes,
+        "avoid": avoid, "near": near, "keep": keep, "class": classes,
     }  # fmt: skip
     asked["given"] = [name for name, array in arrays.items() if array is not None]
     sets = sets_on(asked, places, borders.each, borders.are_radii)

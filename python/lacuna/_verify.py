@@ -198,6 +198,7 @@ def verify(
     inside: PlacesOfClasses = None,
     outside: PlacesOfClasses = None,
     avoid: Obstacles | None = None,
+    near: Obstacles | None = None,
     edge: SupportsFloat = 0,
     border: Border | None = None,
     inside_by_radius: bool | None = None,
@@ -236,6 +237,8 @@ def verify(
         they are, not drawn onto a mask.
     avoid : list of (Polygons or iterable of array_like, float), optional
         Obstacles and the distance that points keep from them, as of ``draw_mask``.
+    near : list of (Polygons or iterable of array_like, float), optional
+        What points lie near to, and how near, as of ``sample``.
     edge : float
         Spots that are inside of the polygons by up to ``edge`` need not be covered. No point may
         lie outside.
@@ -328,7 +331,7 @@ def verify(
             "inside_by_radius with a field, ellipses or a mask: is for disks and outlines",
             "inside_by_radius",
         )
-    places = places_of(inside, outside, avoid)
+    places = places_of(inside, outside, avoid, near)
     if not flag("distances_only", distances_only):
         for name, is_given in (
             ("ellipses" if own.get("has_ellipses") else "field", importance is not None),

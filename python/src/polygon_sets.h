@@ -40,8 +40,11 @@ public:
         rings_.resize(given_.size());
         for (std::size_t i = 0; i < given_.size(); ++i) {
             for (const PointArray& array : given_[i].arrays) rings_[i].push_back(points_of(array));
-            sets_.push_back(
-                {rings_[i], given_[i].forbidden, given_[i].distance, given_[i].argument});
+            sets_.push_back({.rings = rings_[i],
+                             .forbidden = given_[i].forbidden,
+                             .distance = given_[i].distance,
+                             .near = given_[i].argument == "near",
+                             .option = given_[i].argument});
         }
         return sets_;
     }

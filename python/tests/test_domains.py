@@ -396,3 +396,21 @@ def test_obstacles_and_borders_keep_their_distance(tmp_path: Path) -> None:
         lacuna.draw_mask(square, 0.01, avoid=fence)  # type: ignore[arg-type]
     with pytest.raises(lacuna.BadRequest, match="avoid -1.0: a distance must be a finite number"):
         lacuna.draw_mask(square, 0.01, avoid=[(fence, -1)])
+
+
+def test_points_lie_near_lines() -> None:
+    road = [[(0.1, 0.5), (0.9, 0.5)]]
+    near = [(road, 0.1), ([[(0.5, 0.95)]], 0.03)]
+    made = lacuna.sample(0.02, near=near, avoid=[(road, 0.03)], seed=1)
+    y = made.points[:, 1]
+    by_road = y < 0.7
+    assert 0.03 <= abs(y[by_road] - 0.5).min() and abs(y[by_road] - 0.5).max() <= 0.1
+    assert (~by_road).sum() >= 3 and np.hypot(*(made.points[~by_road] - (0.5, 0.95)).T).max() <= 0.03
+    assert lacuna.verify(made, near=near, avoid=[(road, 0.03)]).maximal
+    assert lacuna.verify(made, near=[(road, 0.1)]).forbidden_by == "inside"
+    mask = lacuna.draw_mask(None, 0.01, near=near, domain=(1, 1))
+    assert 0.1 < mask.mean() < 0.2 * 0.8 + np.pi * (0.1**2 + 0.03**2)
+    with pytest.raises(lacuna.BadRequest, match="near 0.0: a distance must be a finite number"):
+        lacuna.sample(0.02, near=[(road, 0)])
+    with pytest.raises(TypeError, match="near must be a list of pairs"):
+        lacuna.sample(0.02, near=road)  # type: ignore[arg-type]

@@ -220,7 +220,7 @@ TEST(Classes, AreRefusedInOneLine) {
               "lacuna: --between 0 distances: must be a matrix of 2 x 2, for as many classes\n");
     write_file(folder.path("m.csv"), "1,2\n2\n");
     EXPECT_EQ(refusal({"--class", "a", "--class", "b", "--between", folder.path("m.csv")}),
-              "lacuna: " + folder.path("m.csv") + ":2: 1 numbers: the first row has 2\n");
+              "lacuna: " + folder.path("m.csv") + ":2: 1 number: the first row has 2\n");
     EXPECT_EQ(refusal({"--class", "a:1", "--between", folder.path("m.csv")}),
               "lacuna: --class a:1: must have no radius with distances from a file: give NAME or "
               "NAME::WEIGHT\n");
@@ -269,6 +269,49 @@ TEST(Obstacles, ArePointsWithRadiiAndLinesWithAWidth) {
         << refuted.out;
 }
 
+TEST(Near, ArePointsWithinADistanceOfLinesAndWithinOtherPlaces) {
+    const Folder folder;
+    const std::string path = folder.path("path.svg"), lots = folder.path("lots.csv");
+    write_file(path, "<svg viewBox='0 0 2 1'><polyline points='0,0.5 2,0.5'/></svg>");
+    write_file(lots, "x,y,radius\n0.5,0.9,0.05\n1.99,0.1,0.04\n");
+    const std::string csv = folder.path("a.csv"), json = folder.path("a.json");
+    const Names options{"--near",       path + ":0.2", "--near", lots,     "--avoid",
+                        path + ":0.05", "--radius",    "0.02",   "--torus"};
+    ASSERT_EQ(sample_with(with(options, {"-o", csv, "-o", json})).exit_code, 0);
+    std::size_t by_path = 0, by_lots = 0, around = 0;
+    for (const Point& p : files::read_points(csv)) {
+        const double to_path = std::abs(p.y - 0.5);
+        EXPECT_GE(to_path, 0.05);
+        by_path += to_path <= 0.2 ? 1 : 0;
+        if (to_path <= 0.2) continue;
+        ++by_lots;
+        const double across = std::abs(p.x - 1.99);
+        const double to_lot = std::min(std::hypot(p.x - 0.5, p.y - 0.9) / 0.05,
+                                       std::hypot(std::min(across, 2 - across), p.y - 0.1) / 0.04);
+        EXPECT_LE(to_lot, 1);
+        around += p.x < 0.1 ? 1 : 0;
+    }
+    EXPECT_GT(by_path, 1000U);
+    EXPECT_GT(by_lots, 15U);
+    EXPECT_GT(around, 2U);
+    const Names places{"--near", path + ":0.2", "--near", lots, "--avoid", path + ":0.05"};
+    EXPECT_EQ(verify_with(with({json}, places)).exit_code, 0);
+    EXPECT_EQ(verify_with(with({csv}, options)).exit_code, 0);
+    EXPECT_EQ(verify_with({json}).exit_code, 2);
+
+    const auto refusal = [&](const std::string& near) {
+        return sample_with({"--near", near, "--radius", "0.02", "-o", csv}).err;
+    };
+    EXPECT_EQ(refusal(path), "lacuna: --near " + path +
+                                 ": needs a distance, as in FILE:2.5: how far points may be from "
+                                 "its lines\n");
+    EXPECT_EQ(refusal("a.foo:2"),
+              "lacuna: --near a.foo: must end in .svg, .geojson, .json or "
+              ".txt\n");
+    EXPECT_EQ(refusal(path + ":0"),
+              "lacuna: --near " + path + ":0: the width must be a finite number over 0\n");
+}
+
 TEST(Obstacles, ReachAroundATorus) {
     const Folder folder;
     const std::string rocks = folder.path("rocks.csv"), csv = folder.path("a.csv");
@@ -305,7 +348,7 @@ TEST(Obstacles, AreRefusedInOneLine) {
     write_file(rocks, "x,y\n0.5,0.5\n");
     EXPECT_EQ(refusal({"--avoid", rocks}),
               "lacuna: --avoid " + rocks +
-                  ": has no column radius: give FILE:WIDTH, the distance to keep\n");
+                  ": has no column radius: give FILE:WIDTH, the distance from its points\n");
     EXPECT_EQ(refusal({"--avoid", rocks + ":-1"}),
               "lacuna: --avoid " + rocks + ":-1: the width must be a finite number over 0\n");
     write_file(folder.path("a.txt"), "0 0\n1 1\n");

@@ -1,5 +1,6 @@
-// Distances from the outlines of polygons, from lines and from points: kept to the last digit, and
-// the rest is full, as a proof and a judge of this file's own say.
+// Distances from the outlines of polygons, from lines and from points: kept to the last digit, or
+// not exceeded where samples lie near, and the rest is full, as a proof and a judge of this file's
+// own say.
 #include <gtest/gtest.h>
 #include <lacuna/domains.h>
 #include <lacuna/lacuna.h>
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -77,13 +79,17 @@ struct Shapes {
     std::vector<PolygonSet> sets;
 
     explicit Shapes(Random& random) {
-        const std::size_t allowed = random() % 3, forbidden = random() % 2,
+        const std::size_t allowed = random() % 3, forbidden = random() % 2, near = random() % 3,
                           lines = 1 + random() % 3;
-        for (std::size_t i = 0; i < allowed + forbidden + lines; ++i)
+        for (std::size_t i = 0; i < allowed + forbidden + near + lines; ++i)
             rings.push_back({random_ring(random, i < allowed + forbidden)});
-        for (std::size_t i = 0; i < rings.size(); ++i)
+        for (std::size_t i = 0; i < rings.size(); ++i) {
             sets.push_back({rings[i], i >= allowed,
                             random() % 4 == 0 && i < allowed ? 0 : 0.01 + 0.08 * share(random)});
+            if (i < allowed + forbidden || i >= allowed + forbidden + near) continue;
+            sets.back().near = true;
+            sets.back().distance *= 5;
+        }
     }
 
     // How deep a place lies where samples may lie, beyond the distances that they keep.
@@ -91,18 +97,22 @@ struct Shapes {
         double depth = -std::numeric_limits<double>::infinity();
         bool is_anywhere = true;
         for (std::size_t i = 0; i < sets.size(); ++i) {
-            if (sets[i].forbidden) continue;
+            if (sets[i].forbidden || sets[i].near) continue;
             is_anywhere = false;
             const double edge = to_rings(p, rings[i]);
             depth = std::max(depth, (is_inside(p, rings[i]) ? edge : -edge) - sets[i].distance);
         }
         if (is_anywhere) depth = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < sets.size(); ++i) {
-            if (!sets[i].forbidden) continue;
+            if (!sets[i].forbidden || sets[i].near) continue;
             const double edge = to_rings(p, rings[i]);
             depth = std::min(depth, (is_inside(p, rings[i]) ? -edge : edge) - sets[i].distance);
         }
-        return depth;
+        std::optional<double> within;
+        for (std::size_t i = 0; i < sets.size(); ++i)
+            if (sets[i].near)
+                within = std::max(within.value_or(-1), sets[i].distance - to_rings(p, rings[i]));
+        return std::min(depth, within.value_or(depth));
     }
 };
 
@@ -173,6 +183,19 @@ TEST(DistancesFromOutlines, AreDrawnAroundPointsLinesAndPolygons) {
     EXPECT_NEAR(open_share({{{0.3, 0.3}, {0.6, 0.3}, {0.6, 0.6}, {0.3, 0.6}}}),
                 1 - kDisk - 4 * 0.3 * 0.1 - 0.09, 0.003);
     EXPECT_NEAR(open_share({{{-0.05, 0.5}}}), 1 - 0.01 * (1.0472 - 0.5 * 0.8660), 0.002);
+}
+
+// Samples that lie near to a disk of a file of disks lie near to one of them all.
+TEST(DistancesFromOutlines, WithinWhichSamplesLieAreJoined) {
+    const std::vector<PolygonRing> here{{{0.3, 0.5}}}, there{{{0.8, 0.5}}};
+    const std::vector<PolygonSet> near{{.rings = here, .distance = 0.2, .near = true},
+                                       {.rings = there, .distance = 0.1, .near = true}};
+    const Mask mask = draw_mask(near, {1, 1}, 0.001);
+    const auto open = std::count(mask.allowed.begin(), mask.allowed.end(), std::uint8_t{1});
+    EXPECT_NEAR(static_cast<double>(open) / static_cast<double>(mask.allowed.size()),
+                3.14159265 * (0.04 + 0.01), 0.003);
+    const PolygonSet far{.rings = here, .distance = 1e-9, .near = true};
+    EXPECT_THROW(draw_mask(std::span(&far, 1), {1, 1}, 0.001), BadRequest);
 }
 
 TEST(Lines, AreReadFromEveryFormat) {

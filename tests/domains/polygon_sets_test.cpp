@@ -66,9 +66,10 @@ TEST(SetsOfPolygons, ThatLeaveNothingAreRefused) {
         refusal({{all, true}}),
         "outside 1 ring: must leave some of the domain, [0, 1) x [0, 1) open, wider than twice "
         "the edge, 0.1");
-    EXPECT_TRUE(refusal({{part}, {all, true}})
-                    .starts_with("inside 1 ring in [0, 0.5] x [0, 0.5]: must enclose some of the "
-                                 "domain, [0, 1) x [0, 1), that --outside and --avoid leave open"));
+    EXPECT_TRUE(
+        refusal({{part}, {all, true}})
+            .starts_with("inside 1 ring in [0, 0.5] x [0, 0.5]: must enclose some of the "
+                         "domain, [0, 1) x [0, 1), that --outside, --avoid and --near leave open"));
     EXPECT_EQ(refusal({{all}, {part, true}}), "");
     const std::vector<PolygonRing> broken{{{0, 0}, {1, 0}, {std::nan(""), 1}}};
     EXPECT_TRUE(refusal({{all}, {broken, true}}).starts_with("outside ring 0"));

@@ -123,9 +123,10 @@ public:
         };
         if (!made_.inside.empty()) depth = std::min(depth, in(made_.inside));
         if (!made_.outside.empty()) depth = std::min(depth, -in(made_.outside));
-        if (!made_.avoided.empty() && with_distances)
-            depth = std::min(depth, std::abs(in(made_.avoided)) - made_.polygons.back().distance);
-        return depth;
+        if (made_.avoided.empty() || !with_distances) return depth;
+        const PolygonSet& lines = made_.polygons.back();
+        const double beyond = std::abs(in(made_.avoided)) - lines.distance;
+        return std::min(depth, lines.near ? -beyond : beyond);
     }
 
 private:

@@ -238,10 +238,17 @@ private:
         if (is(kOutside, "yes")) made.polygons.push_back({made.outside, true});
         if (is(kAvoid, "yes"))
             made.polygons.push_back({made.avoided, true, typical * choose_.power(0.1, 2)});
+        // Or samples lie near to these lines.
+        if (is(kAvoid, "yes") && choose_.one_in(3)) {
+            made.polygons.back().near = true;
+            made.polygons.back().distance *= 4;
+        }
         try {
             made.mask = draw_mask(made.polygons, request.domain, made.edge);
         } catch (const BadRequest& error) {
-            if (error.option() != "inside" && error.option() != "outside") throw;
+            if (error.option() != "inside" && error.option() != "outside" &&
+                error.option() != "near")
+                throw;
             return false;
         }
         request.mask = &made.mask;

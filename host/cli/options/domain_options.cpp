@@ -27,18 +27,6 @@
 namespace lacuna::cli {
 namespace {
 
-// Reads the polygons. A BadRequest names the option that the path was given with.
-Polygons read_polygons_of(const std::string& option, const std::string& path) {
-    try {
-        return read_polygons(path);
-    } catch (const BadRequest& error) {
-        const std::string what = std::string(error.what()).substr(error.option().size() + 1);
-        const std::size_t colon = std::min(what.rfind(": "), what.size());
-        throw BadRequest(option, what.substr(0, colon),
-                         what.substr(std::min(colon + 2, what.size())));
-    }
-}
-
 // The names of classes that files may be given for.
 const std::vector<std::string>& names_of_classes(const DomainOptions& options,
                                                  const Request& request) {
@@ -65,6 +53,17 @@ void read_masks(const DomainOptions& options, const std::function<void(const Dom
 
 }  // namespace
 
+Polygons read_for(const std::string& option, const std::function<Polygons()>& read) {
+    try {
+        return read();
+    } catch (const BadRequest& error) {
+        const std::string what = std::string(error.what()).substr(error.option().size() + 1);
+        const std::size_t colon = std::min(what.rfind(": "), what.size());
+        throw BadRequest(option, what.substr(0, colon),
+                         what.substr(std::min(colon + 2, what.size())));
+    }
+}
+
 void take_shape(const Domain& shape, Request& request) {
     const Boundary boundary = request.domain.boundary;
     request.domain = shape;
@@ -81,6 +80,7 @@ Targets targets_of(DomainOptions& options) {
                     {"inside", &options.inside},
                     {"outside", &options.outside},
                     {"avoid", &options.avoid},
+                    {"near", &options.near},
                     {"edge", &options.edge},
                     {"border", &options.borders},
                     {"inside-by-radius", &options.inside_by_radius},
@@ -121,19 +121,25 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
             const bool forbidden = paths == &options.outside;
             const char* const option = forbidden ? "outside" : "inside";
             check_class_of_file(option, text, path, names);
-            const Polygons& polygons = files.polygons.emplace_back(read_polygons_of(option, path));
+            const Polygons& polygons = files.polygons.emplace_back(
+                read_for(option, [&, file = path] { return read_polygons(file); }));
             files.kinds.push_back({.forbidden = forbidden, .option = option, .name = shown(path)});
             if (polygons.page) give_shape(*polygons.page);
         }
-    for (const std::string& text : options.avoid)
-        for (Obstacles& obstacles : read_obstacles(text)) {
-            if (obstacles.lines.page) give_shape(*obstacles.lines.page);
-            files.polygons.push_back(std::move(obstacles.lines));
-            files.own.emplace_back();
-            files.kinds.push_back({.forbidden = true,
-                                   .distance = obstacles.distance,
-                                   .option = "avoid",
-                                   .name = shown(path_of_obstacles(text))});
+    for (const std::vector<std::string>* texts : {&options.avoid, &options.near})
+        for (const std::string& text : *texts) {
+            const bool near = texts == &options.near;
+            const char* const option = near ? "near" : "avoid";
+            for (Obstacles& obstacles : read_obstacles(option, text)) {
+                if (obstacles.lines.page) give_shape(*obstacles.lines.page);
+                files.polygons.push_back(std::move(obstacles.lines));
+                files.own.emplace_back();
+                files.kinds.push_back({.forbidden = !near,
+                                       .distance = obstacles.distance,
+                                       .near = near,
+                                       .option = option,
+                                       .name = shown(path_of_obstacles(text))});
+            }
         }
     if (!has_shape && !files.polygons.empty()) {
         std::vector<PolygonSet> sets = files.kinds;
@@ -200,6 +206,7 @@ Json json_of(const DomainOptions& options, const Request& request, const DomainF
     add_paths("inside", options.inside);
     add_paths("outside", options.outside);
     add_paths("avoid", options.avoid);
+    add_paths("near", options.near);
     if (!files.polygons.empty()) json["edge"] = files.edge;
     json.update(json_of(request.classes));
     if (request.border != 0) json["border"] = request.border;

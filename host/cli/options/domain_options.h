@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
@@ -74,15 +75,19 @@ std::vector<Ellipse> ellipses_of(const Request& request, const Result& result);
 // Throws BadRequest if an output has no place for the columns.
 void check_ellipse_columns(bool is_given, const std::vector<Output>& outputs);
 
-// Obstacles from which points keep a distance, --avoid: what a file has at one distance.
+// Obstacles from which points keep a distance, --avoid, or to which they are near, --near: what a
+// file has at one distance.
 struct Obstacles {
     Polygons lines;
     double distance;
 };
 
-// `text` is FILE or FILE:WIDTH. Points of a .csv have a column radius, or all have the width; the
-// lines and outlines of another file need one. Throws BadRequest and FileError.
-std::vector<Obstacles> read_obstacles(const std::string& text);
+// `text` is FILE or FILE:WIDTH, of the option. Points of a .csv have a column radius, or all have
+// the width; the lines and outlines of another file need one. Throws BadRequest and FileError.
+std::vector<Obstacles> read_obstacles(const std::string& option, const std::string& text);
+
+// Calls read(), whose errors about the path shall name this option.
+Polygons read_for(const std::string& option, const std::function<Polygons()>& read);
 
 // FILE without the width.
 std::string path_of_obstacles(const std::string& text);
@@ -95,6 +100,7 @@ struct DomainOptions {
     std::vector<std::string> inside;   // FILE or NAME:FILE
     std::vector<std::string> outside;  // likewise
     std::vector<std::string> avoid;    // FILE or FILE:WIDTH
+    std::vector<std::string> near;     // likewise
     std::optional<double> edge;
     std::string keep;
     recipes::ClassOptions classes;
@@ -111,8 +117,8 @@ struct DomainFiles {
     std::optional<Field> field;            // read from --field, or of the ellipses
     std::optional<Mask> mask;              // drawn from the polygons
     std::map<std::string, Mask> pictures;  // of --mask, by the class that each is for; "": for all
-    // The polygons of --inside, then of --outside, then the lines of --avoid. `kinds` has what else
-    // a PolygonSet says of each: whether it is forbidden, and the width of obstacles.
+    // The polygons of --inside, then of --outside, then the lines of --avoid and --near. `kinds`
+    // has what else a PolygonSet says of each, such as the width of obstacles.
     std::vector<Polygons> polygons;
     std::vector<PolygonSet> kinds;
     std::vector<std::string> own;  // of each of these: the class that it is for; empty: for all

@@ -133,11 +133,13 @@ std::vector<Clearances> clearances_of(const DomainOptions& options, const Reques
         for (std::size_t kind = 0; kind < files.kinds.size(); ++kind)
             has_inside |= !files.kinds[kind].forbidden && is_one_for(kind, i);
         for (std::size_t kind = 0; kind < files.kinds.size(); ++kind) {
-            const auto& [rings, forbidden, width, option, name] = files.kinds[kind];
-            const bool is_for_all = files.own[kind].empty() && (forbidden || !has_inside);
+            const PolygonSet& set = files.kinds[kind];
+            const bool is_for_all =
+                files.own[kind].empty() && (set.forbidden || set.near || !has_inside);
             if (!is_for_all && !is_one_for(kind, i)) continue;
-            const bool has_border = width == 0 || options.inside_by_radius;  // 0: no obstacle
-            all[i].emplace_back(kind, width + (has_border ? border_of(request, i) : 0));
+            // Without a distance it is no obstacle.
+            const bool has_border = set.distance == 0 || (options.inside_by_radius && !set.near);
+            all[i].emplace_back(kind, set.distance + (has_border ? border_of(request, i) : 0));
         }
     }
     return all;

@@ -34,14 +34,12 @@ FileAndWidth file_and_width(const std::string& text) {
     std::string_view rest = std::string_view(text).substr(colon + 1);
     double width = 0;
     if (files::take_number(rest, width) != std::errc{} || !rest.empty()) return {text, {}};
-    if (!(width > 0 && std::isfinite(width)))
-        throw BadRequest("avoid", shown(text), "the width must be a finite number over 0");
     return {text.substr(0, colon), width};
 }
 
 // The points of a .csv, each with the width that was given, or the number in its column radius.
 // Without a header x and y come first.
-std::vector<Obstacles> read_disks(const FileAndWidth& given) {
+std::vector<Obstacles> read_disks(const std::string& option, const FileAndWidth& given) {
     const std::string bytes = files::read_whole(given.path);
     const std::string name = files::name_of(given.path);
     files::CsvRows rows(bytes, name);
@@ -52,8 +50,8 @@ std::vector<Obstacles> read_disks(const FileAndWidth& given) {
         return files::is_called(column, "radius");
     });
     if (!given.width && radius == names.end())
-        throw BadRequest("avoid", shown(name),
-                         "has no column radius: give FILE:WIDTH, the distance to keep");
+        throw BadRequest(option, shown(name),
+                         "has no column radius: give FILE:WIDTH, the distance from its points");
     std::map<double, std::vector<PolygonRing>> by_radius;
     while (rows.next()) {
         if (rows.columns() < 2) files::refuse(rows.place(), "1 column: must have x and y");
@@ -80,13 +78,18 @@ std::string path_of_obstacles(const std::string& text) {
     return file_and_width(text).path;
 }
 
-std::vector<Obstacles> read_obstacles(const std::string& text) {
+std::vector<Obstacles> read_obstacles(const std::string& option, const std::string& text) {
     const FileAndWidth given = file_and_width(text);
-    if (given.path.ends_with(".csv")) return read_disks(given);
-    Polygons lines = read_lines(given.path);
+    if (given.width && !(*given.width > 0 && std::isfinite(*given.width)))
+        throw BadRequest(option, shown(text), "the width must be a finite number over 0");
+    if (given.path.ends_with(".csv")) return read_disks(option, given);
+    Polygons lines = read_for(option, [&] { return read_lines(given.path); });
     if (!given.width)
-        throw BadRequest("avoid", shown(text),
-                         "needs a width, as in FILE:2.5: how far points stay from its lines");
+        throw BadRequest(
+            option, shown(text),
+            option == "near"
+                ? "needs a distance, as in FILE:2.5: how far points may be from its lines"
+                : "needs a width, as in FILE:2.5: how far points stay from its lines");
     return {{std::move(lines), *given.width}};
 }
 

@@ -117,6 +117,7 @@ std::string places(const SetClaim& claim) {
     append_polygons("inside", given.inside);
     append_polygons("outside", given.outside);
     append_polygons("avoid", given.avoid);
+    append_polygons("near", given.near);
     if (const std::string border = borders(claim); !border.empty()) append("border", border);
     if (!given.keep.empty())
         append("kept", fmt::format("{}, {} points", printable(given.keep), claim.keep.size()) +
@@ -132,7 +133,7 @@ std::string reason(const SetClaim& claim) {
             return "where the mask lets none lie";
         case Proof::Closed::polygons:
             return claim.options.outside.empty() && claim.options.avoid.empty() &&
-                           borders(claim).empty()
+                           claim.options.near.empty() && borders(claim).empty()
                        ? "outside the polygons"
                        : "where the polygons let none lie";
         case Proof::Closed::border:

@@ -95,6 +95,9 @@ struct PolygonSet {
     std::span<const PolygonRing> rings{};
     bool forbidden = false;
     double distance = 0;
+    // Instead of all that: samples lie within the distance of the rings, of this set or of another
+    // one that has them near.
+    bool near = false;
     // For messages: the option that the set comes from, by default inside or outside, and the file.
     std::string option{};
     std::string name{};
