@@ -62,7 +62,7 @@ TEST(PairsOfOptions, AreRefusedWithTheReason) {
         {kSample, "radius=1 class=a:1", "radius 1 with --class: "},
         {kVerify, "radius=1 class=a:1", ""},
         {kVerify, "radius=1 field=a.png", "radius 1 with --field: "},
-        {kVerify, "edge=1", "edge 1 without --inside, --outside or --avoid: "},
+        {kVerify, "edge=1", "edge 1 without --inside, --outside, --avoid or --near: "},
         {kSample, "mask=a.png avoid=b.csv", "mask a.png with --avoid: "},
         {kSample, "on-pixels=9x9 count=5 mask=a.png field=a.png torus relax=0 border=0", ""},
         {kSample, "on-pixels=9x9 radius=1", "on-pixels 9x9 with --radius: its samples keep no"},
