@@ -163,9 +163,9 @@ TEST(OptionsOfClassesInC, AreRefusedInOneLine) {
     EXPECT_EQ(refusal("--class trees:-1"),
               "class trees:-1: its radius must be a finite number over 0");
     EXPECT_EQ(refusal("--class a:1:2:3"),
-              "class a:1:2:3: must be NAME:RADIUS or NAME:RADIUS:WEIGHT");
+              "class a with 3 points: is the only class: give a limit instead");
     EXPECT_EQ(refusal("--class a:0.1 --border b:1"),
-              "border b:1: must be D, or NAME:D with the name of a class");
+              "border b:1: must be D, or NAME:D with the name of a class (a)");
     EXPECT_EQ(refusal("--radius 0.1 --border 0.1 --border 0.2"), "border 0.2: is given twice");
     for (const char* const options :
          {"--class", "--class a:0.1 --radius 0.1", "--between sum --radius 0.1",
