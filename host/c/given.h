@@ -19,7 +19,8 @@ namespace lacuna::c {
 // Throws BadRequest that names `name` if there are no points but a count.
 std::vector<Point> points_of(const char* name, const double* xy, std::size_t count);
 
-// The options whose files' contents a call is given; `field` is the name of that for importance.
+// The names of the options whose files a call is given the contents of. The option for importance
+// is called `field`: lacuna_sample() and lacuna_verify() have --field, lacuna_relax() has IMAGE.
 std::vector<std::string_view> names_of(const lacuna_given* given, std::string_view field);
 
 // What a call is given, as long as the call lasts.

@@ -19,6 +19,7 @@
 #include "base/number_text.h"
 #include "c/given.h"
 #include "plan/checked_request.h"
+#include "plan/sheets.h"
 #include "recipes/make.h"
 #include "recipes/read_text.h"
 #include "recipes/settle.h"
@@ -193,6 +194,7 @@ int verified(const char* options, const lacuna_given* given, const double* point
     claim.mask = request.mask;
     claim.border = request.border;
     claim.classes = request.classes;
+    claim.distances_only |= !has_open_class(request.classes);
     if (given != nullptr && given->classes != nullptr)
         claim.class_of_points = {given->classes, count};
     claim.keep = request.keep;

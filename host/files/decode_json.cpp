@@ -191,7 +191,7 @@ private:
     }
 
     std::uint64_t whole(double value) const {
-        if (!(value >= 1 && value < 0x1p53))
+        if (!(value >= 1 && value < 0x1p53 && value == std::floor(value)))
             refuse(name_,
                    fmt::format("\"{}\" has {}: must be a number of points", key_within_, value));
         return static_cast<std::uint64_t>(value);
@@ -273,6 +273,13 @@ void take_columns(const JsonHeader& header, const std::string& name, SetsOfFile&
     take_layers(header.classes, header.class_of_point, "class", "classes", name, points,
                 file.classes);
     take_layers(header.inks, header.ink_of_point, "ink", "inks", name, points, file.inks);
+    const std::size_t classes = header.classes.names.size();
+    for (const auto& [key, size] :
+         {std::pair{"weights", header.weights.size()}, std::pair{"counts", header.counts.size()},
+          std::pair{"borders", header.borders.size()}})
+        if (size != 0 && size != classes)
+            refuse(name, fmt::format("\"{}\" has {} values: must be {}, one for each class", key,
+                                     size, classes));
     file.distances = header.distances;
     file.weights = header.weights;
     file.counts = header.counts;

@@ -256,7 +256,7 @@ bool keep_their_distances(const Request& request) {
     return !find_too_close(request, radii_of_kept(request));
 }
 
-void check_kept_distances(const Request& request) {
+void check_kept_distances(const Request& request, std::span<const std::uint32_t> places) {
     const double size = request.field == nullptr ? *request.radius : *request.scale;
     if (!std::isfinite(size) || size <= 0) return;  // the plan refuses such a size
     const std::vector<double> radii = radii_of_kept(request);
@@ -268,8 +268,11 @@ void check_kept_distances(const Request& request) {
         distances_of(request)[class_of_kept(request, a) *
                                   std::max<std::size_t>(request.classes.names.size(), 1) +
                               class_of_kept(request, b)];
+    const auto named = [&](std::uint32_t index) {
+        return text_of(places.empty() ? index : places[index], request.keep[index]);
+    };
     throw BadRequest(
-        "keep", text_of(a, request.keep[a]) + " and " + text_of(b, request.keep[b]),
+        "keep", named(a) + " and " + named(b),
         "are " + shortest(length_of(way_between(request, request.keep[a], request.keep[b]))) +
             " apart: must be at least " + shortest(std::min(radii[a], radii[b]) * share) +
             ", the " +

@@ -233,7 +233,10 @@ CheckedRequest::CheckedRequest(const Request& request) : request_(request) {
 void CheckedRequest::sort_kept() {
     const bool is_sorted = kept_ && kept_->has_radius;
     if (is_sorted || Members(request_).are_all()) return;
-    kept_ = std::make_shared<const SortedKept>(sorted_kept(request_));
+    SortedKept sorted = sorted_kept(request_);
+    if (kept_)
+        for (std::uint32_t& place : sorted.places) place = kept_->places[place];
+    kept_ = std::make_shared<const SortedKept>(std::move(sorted));
     request_.keep = kept_->points;
     request_.keep_classes = kept_->classes;
 }

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "plan/kept.h"
 
@@ -36,6 +37,12 @@ public:
     // Request::keep; those that follow lie outside, and none of them is farther from the domain
     // than the greatest distance that two points keep.
     std::size_t members() const { return kept_ ? kept_->members : request_.keep.size(); }
+
+    // The place that each kept point had in the request as it was given; empty: the same.
+    std::span<const std::uint32_t> places_of_kept() const {
+        return kept_ ? std::span<const std::uint32_t>(kept_->places)
+                     : std::span<const std::uint32_t>();
+    }
 
     const Request& operator*() const { return request_; }
     const Request* operator->() const { return &request_; }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace lacuna {
@@ -28,6 +29,7 @@ private:
 struct SortedKept {
     std::vector<Point> points;
     std::vector<std::uint8_t> classes;
+    std::vector<std::uint32_t> places;  // of each in Request::keep, for messages
     std::size_t members = 0;
     bool has_radius = false;
 
@@ -54,7 +56,8 @@ std::vector<double> radii_of_kept(const Request& request);
 bool keep_their_distances(const Request& request);
 
 // Checks that no two kept points are closer than the smaller of their radii. The request was
-// checked before, and has a radius or a scale. Throws BadRequest that names both points.
-void check_kept_distances(const Request& request);
+// checked before, and has a radius or a scale. Throws BadRequest that names both points, by their
+// `places` in the request as it was given; empty: these are their places in this one.
+void check_kept_distances(const Request& request, std::span<const std::uint32_t> places = {});
 
 }  // namespace lacuna

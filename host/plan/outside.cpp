@@ -137,6 +137,7 @@ SortedKept sorted_kept(const Request& request) {
             const Point way = way_out(request.domain, point);
             if (!are_members && !(std::sqrt(way.x * way.x + way.y * way.y) <= reach)) continue;
             sorted.points.push_back(point);
+            sorted.places.push_back(static_cast<std::uint32_t>(i));
             if (has_classes) sorted.classes.push_back(request.keep_classes[i]);
         }
         if (are_members) sorted.members = sorted.points.size();

@@ -37,6 +37,7 @@ std::vector<std::pair<std::size_t, double>> pixels_under(std::size_t first, std:
 double exact_share(const Mask& mask, const Field& field, double greatest, const Poll& poll) {
     double sum = 0;
     const auto add = [&](std::size_t left, std::size_t top, std::size_t columns, std::size_t rows) {
+        ask_after(1);
         const auto across = pixels_under(left, left + columns, mask.columns, field.columns);
         for (const auto& [down, height] : pixels_under(top, top + rows, mask.rows, field.rows))
             for (const auto& [right, width] : across)
@@ -175,7 +176,8 @@ double share_of(const Request& request, double greatest, const Poll& poll) {
         if (request.classes.weights.empty() || request.classes.weights[i] > 0)
             samples += share_of(request, i, greatest, poll) / (own * own);
     }
-    return samples / crowd_of(request);
+    const double crowd = crowd_of(request);
+    return crowd == 0 ? 0 : samples / crowd;
 }
 
 }  // namespace

@@ -208,6 +208,14 @@ bool has_counts(const Classes& classes) {
     return std::any_of(classes.counts.begin(), classes.counts.end(), has_one);
 }
 
+bool has_open_class(const Classes& classes) {
+    for (std::size_t i = 0; i < classes.names.size(); ++i)
+        if ((classes.weights.empty() || classes.weights[i] > 0) &&
+            (classes.counts.empty() || !classes.counts[i]))
+            return true;
+    return classes.names.empty();
+}
+
 bool has_own_places(const Classes& classes) {
     return !classes.borders.empty() || !classes.masks.empty();
 }

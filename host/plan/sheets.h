@@ -76,6 +76,9 @@ const Mask* mask_of(const Request& request, std::size_t of_class);
 bool has_own_places(const Classes& classes);
 // Whether a class has a number of points.
 bool has_counts(const Classes& classes);
+// Whether a class is drawn until it has no room, so that a set may be maximal: one that has a
+// weight and no number of points, or no class at all.
+bool has_open_class(const Classes& classes);
 
 // Checks the distances of classes that have names. Throws BadRequest.
 void check_distances(const Classes& classes);

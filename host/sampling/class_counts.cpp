@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "plan/make_plan.h"
+#include "plan/sheets.h"
 #include "plan/sizes.h"
 #include "sampling/stages.h"
 
@@ -69,11 +69,12 @@ Result sample_with_counts(const CheckedRequest& request, Observer& observer, con
     Stages stages(request, observer, static_cast<std::uint64_t>(std::min(expected.samples, 1e18)));
     Result& result = stages.result();
     std::vector<std::uint64_t> missing = missing_in(result, classes);
-    while (!result.maximal && !std::all_of(missing.begin(), missing.end(), is_full)) {
+    do {
         stages.run(stage_of(request, missing), poll, missing);
         missing = missing_in(result, classes);
-    }
+    } while (!result.maximal);
     refuse_fewer(missing, classes);
+    result.maximal = has_open_class(classes);
     return std::move(result);
 }
 

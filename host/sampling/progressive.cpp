@@ -85,7 +85,7 @@ int first_level(const CheckedRequest& request, const Sizes& sizes) {
         if (!is_last && longest * sizes.at(level) > most) continue;
         const CheckedRequest at_level = at_size(request, sizes.at(level));
         if (keep_their_distances(at_level)) return level;
-        if (is_last) check_kept_distances(at_level);
+        if (is_last) check_kept_distances(at_level, at_level.places_of_kept());
     }
 }
 

@@ -144,7 +144,7 @@ Result sample_checked(const CheckedRequest& request, Observer& observer) {
     std::optional<FieldSums> sums;
     if (request->mode == Mode::cells) sums = sums_of(*request->field, ask);
     if (!request->count) {
-        check_kept_distances(request);
+        check_kept_distances(request, request.places_of_kept());
         if (has_counts(request->classes)) return sample_with_counts(request, observer, ask);
         return run(request, sums, observer);
     }
@@ -157,7 +157,9 @@ Result sample_checked(const CheckedRequest& request, Observer& observer) {
         Observer& watching = trial.is_pilot ? silent : observer;
         Result result = run(trial.request, sums, watching);
         if (!search->is_enough(result.points.size())) continue;
-        check_kept_distances(trial.request);  // at this size kept points may be too close together
+        check_kept_distances(
+            trial.request,
+            trial.request.places_of_kept());  // at this size kept points may be too close together
         result.maximal = result.maximal && result.points.size() == *request->count;
         cut_points(std::min(*request->count, request->limit.value_or(*request->count)), result);
         return result;

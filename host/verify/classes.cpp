@@ -63,7 +63,20 @@ private:
     std::vector<PolygonSet> sets_;
 };
 
+// Whether the claim is that a class has no room.
+bool is_open(const Classes& classes, std::size_t kind) {
+    return (classes.weights.empty() || classes.weights[kind] > 0) &&
+           (classes.counts.empty() || !classes.counts[kind]);
+}
+
 }  // namespace
+
+bool has_open_class(const Claim& claim) {
+    const Classes& classes = claim.classes;
+    for (std::size_t i = 0; i < classes.names.size(); ++i)
+        if (is_open(classes, i)) return true;
+    return classes.names.empty();
+}
 
 bool has_own_places(const Claim& claim) {
     return !claim.classes.borders.empty() || !claim.classes.masks.empty() ||
@@ -118,9 +131,7 @@ GapOfClass largest_gap_of_classes(const Fields& fields, const Claim& claim,
     const Kinds kinds(claim);
     GapOfClass largest{{}, 0};
     for (std::size_t kind = 0; kind < kinds.count(); ++kind) {
-        const Classes& classes = claim.classes;
-        if (!classes.weights.empty() && classes.weights[kind] == 0) continue;
-        if (!classes.counts.empty() && classes.counts[kind]) continue;
+        if (!is_open(claim.classes, kind)) continue;
         std::vector<Disk> disks;
         for (std::size_t other = 0; other < kinds.count(); ++other) {
             if (kinds.share(other, kind) == 0) continue;

@@ -265,8 +265,8 @@ Proof prove(std::span<const Point> points, const Claim& claim,
         proof.first = all.number_of(proof.first);
         proof.second = all.number_of(proof.second);
     }
-    proof.maximal =
-        proof.kept && proof.covered && tolerance <= kMostTolerance * radius_field.least_radius();
+    proof.maximal = proof.kept && proof.covered && has_open_class(claim) &&
+                    tolerance <= kMostTolerance * radius_field.least_radius();
     return proof;
 }
 

@@ -103,24 +103,30 @@ def borders_of(
 
 def masks_of(
     mask: Masks | None, kinds: dict[str, Any]
-) -> tuple[_core.Mask | None, dict[str, Any]]:
-    """The mask of all points, and an option with those of the classes that have their own."""
+) -> tuple[_core.Mask | None, dict[str, Any], list[_core.Mask]]:
+    """The mask of all points, an option with those of the classes that have their own, and all of
+    them as they are given."""
     if not isinstance(mask, Mapping):
-        return None if mask is None else mask_of("mask", mask), {}
+        allowed = None if mask is None else mask_of("mask", mask)
+        return allowed, {}, [] if allowed is None else [allowed]
     names = kinds.get("class_names", [])
     for name in mask:
         if name is not None and name not in names:
             raise BadRequest(f"mask {shown(name)}: must be the name of a class", "mask")
     each = {name: mask_of("mask", one) for name, one in mask.items()}
     own = {"masks": [each.get(name) for name in names]} if each.keys() - {None} else {}
-    return each.get(None), own
+    return each.get(None), own, list(each.values())
 
 
 def _size_of(name: object, size: Any) -> tuple[float | None, float, int | None]:
     if not isinstance(name, str):
         raise TypeError(f"classes: a name must be a str, not {shown(name)}")
-    is_several = isinstance(size, tuple) and len(size) in (2, 3)
-    radius, weight, count = (*size, None)[:3] if is_several else (size, 1.0, None)
+    if isinstance(size, tuple) and len(size) not in (2, 3):
+        raise TypeError(
+            f"classes {shown(name)}: must be a radius, (radius, weight) or (radius, weight, count), "
+            f"not {shown(size)}"
+        )
+    radius, weight, count = (*size, None)[:3] if isinstance(size, tuple) else (size, 1.0, None)
     return (
         None if radius is None else real("classes", radius),
         real("classes", weight),

@@ -105,7 +105,8 @@ def sample(
     mask : array_like, shape (rows, columns), optional
         Points may lie on pixels that are not 0 or False. The mask is stretched over the domain. Row
         0 is the top. Any real dtype, byte order and strides. ``draw_mask`` makes one of polygons.
-        With classes also a dict: that of a class by its name, and by None that of the others.
+        With classes also a dict: that of a class by its name, and by None that of the others. The
+        first one gives the domain its shape, unless there is a field.
     inside, outside : Polygons, iterable of array_like, or list of Polygons, optional
         Polygons in which points must lie, and must not lie: outlines of shape (N, 2) in the unit of
         ``domain``, y upwards, or what ``read_polygons`` gives. Of several Polygons a point lies in
@@ -270,14 +271,14 @@ def sample(
         scale = 1
     kept = None if keep is None else points_array("keep", keep)
     kinds = classes_of(classes, between)
-    allowed, own_masks = masks_of(mask, kinds)
+    allowed, own_masks, masks = masks_of(mask, kinds)
     least = min((one for one in kinds.get("distances", ()) if one > 0), default=radius)
     borders = borders_of(border, inside_by_radius, kinds, least)
     places = places_of(inside, outside, avoid, near)
     if domain is None and on_pixels is not None:
         domain = raster_in("on_pixels", on_pixels)
     if domain is None:
-        domain = shape_of(importance, allowed, *own_masks.get("masks", ())) or around(places)
+        domain = shape_of(importance, *masks) or around(places)
     asked = options(
         radius=radius, n=n, scale=scale, metric=metric, domain=domain, on_pixels=on_pixels,
         torus=torus, mode=mode,

@@ -311,7 +311,7 @@ def verify(
             "weights": own["weights"],
             "counts": own["counts"],
         }
-    allowed, own_masks = masks_of(mask, kinds)
+    allowed, own_masks, masks = masks_of(mask, kinds)
     if kinds and radius is None and scale is None:
         least = min((one for one in kinds["distances"] if one > 0), default=0.0)
         size = {"radius" if importance is None else "scale": least}
@@ -326,7 +326,7 @@ def verify(
         borders = borders_of(
             0 if border is None else border, bool(inside_by_radius), kinds, size.get("radius")
         )
-    if borders.are_radii and (importance is not None or mask is not None):
+    if borders.are_radii and (importance is not None or masks):
         raise BadRequest(
             "inside_by_radius with a field, ellipses or a mask: is for disks and outlines",
             "inside_by_radius",
@@ -335,13 +335,13 @@ def verify(
     if not flag("distances_only", distances_only):
         for name, is_given in (
             ("ellipses" if own.get("has_ellipses") else "field", importance is not None),
-            ("mask", mask is not None or bool(places)),
+            ("mask", bool(masks) or bool(places)),
         ):
             if own.get(f"has_{name}") and not is_given:
                 raise BadRequest(f"{name} missing: the set was made with one: give it too", name)
     shape = None
     if domain is None and not isinstance(points, HasPoints):
-        shape = shape_of(importance, allowed, *own_masks.get("masks", ())) or around(places)
+        shape = shape_of(importance, *masks) or around(places)
     asked = options(
         **domain_of(points, domain, torus, shape),
         **size,

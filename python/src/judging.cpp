@@ -18,6 +18,7 @@
 #include "background.h"
 #include "options.h"
 #include "parts.h"
+#include "plan/sheets.h"
 #include "polygon_sets.h"
 #include "watch.h"
 
@@ -59,6 +60,7 @@ Claim asked_claim(const nb::dict& given) {
     read(given, "edge", claim.edge_tolerance);
     read(given, "tolerance", claim.tolerance);
     read(given, "distances_only", claim.distances_only);
+    claim.distances_only |= !has_open_class(claim.classes);
     return claim;
 }
 

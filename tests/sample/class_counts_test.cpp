@@ -126,6 +126,35 @@ TEST(CountsOfClasses, IncludeKeptPoints) {
               "class trees with 1 points: has 2 kept ones already");
 }
 
+TEST(CountsOfClasses, ThatKeptPointsHaveAlreadyLeaveTheSetItsDistances) {
+    Request request = wood();
+    request.classes.counts = {1, 1, 1};
+    const std::vector<Point> keep{{0.5, 0.5}, {0.2, 0.2}, {0.8, 0.2}};
+    const std::vector<std::uint8_t> one_each{kTrees, kBushes, kGrass};
+    request.keep = keep;
+    request.keep_classes = one_each;
+    const Result set = sample(request);
+    EXPECT_EQ(set.points, keep);
+    EXPECT_EQ(set.radius, 0.016);
+    EXPECT_EQ(set.backend, "cpu");
+    EXPECT_FALSE(set.maximal);
+    request.place.backend = "nosuch";
+    EXPECT_THROW(sample(request), BadRequest);
+}
+
+TEST(CountsOfClasses, BesideAClassThatIsNotDrawnLeaveNothingMaximal) {
+    Request request = wood();
+    request.classes.counts = {2, {}, 3};
+    request.classes.weights = {1, 0, 1};
+    request.classes.borders = {0.01, 0, 0};
+    const Result set = sample(request);
+    EXPECT_EQ(set.points.size(), 5U);
+    EXPECT_FALSE(set.maximal);
+    Claim claim = claim_of(request, set);
+    claim.distances_only = false;
+    EXPECT_FALSE(prove(set.points, claim).maximal);
+}
+
 TEST(CountsOfClasses, HoldForEachSeed) {
     Request request = wood();
     request.classes.counts = {9, {}, {}};

@@ -80,7 +80,7 @@ void run(const CommandLine& line, SampleCommand all) {
     CommonOptions options = all.common;
     Request& request = options.request;
     const std::vector<GivenFile> read = files_read(line);
-    if (!all.seeds) refuse_seed_in(options.output.paths);
+    if (!all.seeds) refuse_seed_in(options.output.paths, options.report);
     const std::vector<Output> outputs =
         all.seeds ? checked_outputs(options, *all.seeds, read) : checked_outputs(options, read);
     all.drawing = checked_drawing(line, all.drawing, outputs);

@@ -179,7 +179,7 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& 
     claim.given = json_of(options.domain, request, given.files);
     claim.tolerance = options.tolerance;
     claim.tolerance = verify::tolerance_of(claim);
-    claim.distances_only = options.distances_only;
+    claim.distances_only = options.distances_only || !has_open_class(claim.classes);
     // A progressive order that was cut is judged by its levels.
     if (!options.distances_only && !options.request.radius) claim.levels = file.levels;
     if (!claim.levels.empty() && !claim.meant_to_be_maximal) claim.distances_only = true;

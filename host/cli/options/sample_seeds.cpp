@@ -162,8 +162,9 @@ std::vector<Output> checked_outputs(const CommonOptions& options, SeedRange seed
     return outputs;
 }
 
-void refuse_seed_in(const std::vector<std::string>& outputs) {
+void refuse_seed_in(const std::vector<std::string>& outputs, const std::string& report) {
     refuse_place(outputs, kPlace, "--seeds");
+    refuse_place({report}, kPlace, "--seeds", "report");
 }
 
 void sample_seeds(const CommandLine& line, const CommonOptions& options,

@@ -32,7 +32,7 @@ std::vector<Output> checked_outputs(const CommonOptions& options, SeedRange seed
                                     const std::vector<GivenFile>& read);
 
 // Throws BadRequest if an output has {seed} in its name, without --seeds.
-void refuse_seed_in(const std::vector<std::string>& outputs);
+void refuse_seed_in(const std::vector<std::string>& outputs, const std::string& report);
 
 // What the files of all sets have in common.
 struct AllSets {

@@ -92,10 +92,10 @@ std::string with_name(std::string path, std::string_view place, const std::strin
 }
 
 void refuse_place(const std::vector<std::string>& paths, std::string_view place,
-                  const std::string& option) {
+                  const std::string& option, const std::string& of) {
     for (const std::string& path : paths)
         if (path.find(place) != std::string::npos)
-            throw BadRequest("output", shown(path),
+            throw BadRequest(of, shown(path),
                              fmt::format("{} in its name needs {}", place, option));
 }
 

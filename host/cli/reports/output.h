@@ -36,7 +36,7 @@ std::string with_name(std::string path, std::string_view place, const std::strin
 // Throws BadRequest if a path has `place` in its name, for which only `option` puts in something
 // else, and the option was not given.
 void refuse_place(const std::vector<std::string>& paths, std::string_view place,
-                  const std::string& option);
+                  const std::string& option, const std::string& of = "output");
 
 // Whether the path is no regular file: standard output, a descriptor, a device or a pipe.
 bool is_stream(const std::string& path);

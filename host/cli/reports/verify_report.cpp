@@ -120,7 +120,8 @@ std::string places(const SetClaim& claim) {
     append_polygons("near", given.near);
     if (const std::string border = borders(claim); !border.empty()) append("border", border);
     if (!given.keep.empty())
-        append("kept", fmt::format("{}, {} points", printable(given.keep), claim.keep.size()) +
+        append("kept", fmt::format("{}, {} point{}", printable(given.keep), claim.keep.size(),
+                                   claim.keep.size() == 1 ? "" : "s") +
                            outside_of(claim));
     return rows;
 }
