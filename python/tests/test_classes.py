@@ -60,6 +60,9 @@ def test_a_class_may_have_a_mask_of_its_own() -> None:
     both = lacuna.sample(classes=kinds, mask={**mask, None: mask["trees"].T}, seed=2)
     grass = both.points[both.class_of == 1]
     assert len(grass) > 100 and grass[:, 1].min() > 0.5
+    wide, tall = np.ones((10, 20)), np.ones((20, 10))
+    assert lacuna.sample(classes=kinds, mask={"grass": wide, "trees": tall}).domain == (1, 0.5)
+    assert lacuna.sample(classes=kinds, mask={"trees": tall, None: wide}).domain == (0.5, 1)
     with pytest.raises(lacuna.BadRequest, match="mask 'tree': must be the name of a class"):
         lacuna.sample(classes=kinds, mask={"tree": left * np.ones((32, 1))})
     with pytest.raises(lacuna.BadRequest, match="mask missing"):

@@ -82,6 +82,18 @@ TEST(Classes, HaveTheirNumbersOfPointsInFilesAndProofs) {
     const Json found = Json::parse(refuted.out)["sets"][0];
     EXPECT_EQ(found["verdict"], "refused: class trees has 12 points in place of 13");
     EXPECT_EQ(found["miscounted"], "trees");
+    // What a .json says of classes is read as strictly as options are.
+    const std::string whole = files::read_whole(json);
+    const auto with_numbers = [&](const std::string& numbers) {
+        const std::string counts = "\"counts\":";
+        const std::size_t begin = whole.find(counts) + counts.size(), end = whole.find(']', begin);
+        write_file(json, whole.substr(0, begin) + numbers + whole.substr(end + 1));
+        return verify_with({json}).err;
+    };
+    EXPECT_EQ(with_numbers("[12.5,20,null]"),
+              "lacuna: " + json + ": \"counts\" has 12.5: must be a number of points\n");
+    EXPECT_EQ(with_numbers("[12,20]"),
+              "lacuna: " + json + ": \"counts\" has 2 values: must be 3, one for each class\n");
     EXPECT_EQ(sample_with({"--class", "a:0.1:1:2:3", "-o", csv}).err,
               "lacuna: --class a:0.1:1:2:3: must be NAME:RADIUS, NAME:RADIUS:WEIGHT or "
               "NAME:RADIUS:WEIGHT:N\n");
