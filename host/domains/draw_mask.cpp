@@ -96,7 +96,7 @@ struct Extent {
 
 Extent extent_of(std::span<const PolygonSet> sets) {
     Extent all;
-    for (const PolygonSet& set : sets) all.add(set, 0);
+    for (const PolygonSet& set : sets) all.add(set, set.near ? set.distance : 0);
     return all;
 }
 
@@ -129,6 +129,10 @@ void check(const PolygonSet& set) {
     std::size_t rings = 0;
     for (const PolygonSet& set : allowed.empty() ? sets : allowed) rings += set.rings.size();
     const std::string count = fmt::format("{} ring{}", rings, rings == 1 ? "" : "s");
+    if (allowed.empty() && sets.front().near)
+        throw BadRequest(
+            "near", fmt::format("a distance of {}", sets.front().distance),
+            fmt::format("must reach some of {}, and be over the edge, {:.3g}", all, edge));
     if (allowed.empty())
         throw BadRequest(
             option_of(sets.front()), count,

@@ -406,16 +406,17 @@ bool allow(std::span<const PolygonSet> sets, Point at) {
     for (const PolygonSet& set : sets) {
         has_inside |= !set.forbidden && !set.near;
         has_near |= set.near;
-        bool is_inside = false, is_too_near = false;
+        bool is_inside = false, is_too_near = false, is_within = false;
         for (const PolygonRing& ring : set.rings)
             for (std::size_t i = 0; i < ring.size(); ++i) {
                 const Point from = ring[i], to = ring[(i + 1) % ring.size()];
-                is_too_near |=
-                    squared_distance(at, {from, to, 0, 0, 0}) < set.distance * set.distance;
+                const double squared = squared_distance(at, {from, to, 0, 0, 0});
+                is_too_near |= squared < set.distance * set.distance;
+                is_within |= squared <= set.distance * set.distance;
                 if ((from.y > at.y) == (to.y > at.y)) continue;
                 is_inside ^= at.x < from.x + (at.y - from.y) / (to.y - from.y) * (to.x - from.x);
             }
-        is_near |= set.near && is_too_near;
+        is_near |= set.near && is_within;
         if (set.near) continue;
         if (set.forbidden && (is_inside || is_too_near)) return false;
         is_allowed |= !set.forbidden && is_inside && !is_too_near;

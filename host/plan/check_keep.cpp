@@ -246,7 +246,7 @@ void check_kept_place(const Request& request, std::size_t index, const char* opt
         domain.height - way.y < border)
         refuse("must be at least the border, " + shortest(border) + ", from the domain's edges");
     if (mask != nullptr && !is_allowed(request, *mask, point))
-        refuse(mask->drawn ? "must lie where --inside, --outside and --avoid allow it"
+        refuse(mask->drawn ? "must lie where --inside, --outside, --avoid and --near allow it"
                            : "must lie where the mask is not 0");
     if (request.field != nullptr && greatest_importance_at(request, point) == 0)
         refuse("must lie where the field is not 0");

@@ -402,9 +402,10 @@ def test_points_lie_near_lines() -> None:
     road = [[(0.1, 0.5), (0.9, 0.5)]]
     near = [(road, 0.1), ([[(0.5, 0.95)]], 0.03)]
     made = lacuna.sample(0.02, near=near, avoid=[(road, 0.03)], seed=1)
-    y = made.points[:, 1]
+    x, y = made.points.T
     by_road = y < 0.7
-    assert 0.03 <= abs(y[by_road] - 0.5).min() and abs(y[by_road] - 0.5).max() <= 0.1
+    to_road = np.hypot(x - x.clip(0.1, 0.9), y - 0.5)[by_road]
+    assert 0.03 <= to_road.min() and to_road.max() <= 0.1
     assert (~by_road).sum() >= 3 and np.hypot(*(made.points[~by_road] - (0.5, 0.95)).T).max() <= 0.03
     assert lacuna.verify(made, near=near, avoid=[(road, 0.03)]).maximal
     assert lacuna.verify(made, near=[(road, 0.1)]).forbidden_by == "inside"
@@ -413,4 +414,4 @@ def test_points_lie_near_lines() -> None:
     with pytest.raises(lacuna.BadRequest, match="near 0.0: a distance must be a finite number"):
         lacuna.sample(0.02, near=[(road, 0)])
     with pytest.raises(TypeError, match="near must be a list of pairs"):
-        lacuna.sample(0.02, near=road)  # type: ignore[arg-type]
+        lacuna.sample(0.02, near=[road])  # type: ignore[arg-type]

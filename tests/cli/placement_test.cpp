@@ -321,7 +321,24 @@ TEST(Near, ArePointsWithinADistanceOfLinesAndWithinOtherPlaces) {
               "lacuna: --near a.foo: must end in .svg, .geojson, .json or "
               ".txt\n");
     EXPECT_EQ(refusal(path + ":0"),
-              "lacuna: --near " + path + ":0: the width must be a finite number over 0\n");
+              "lacuna: --near " + path + ":0: the distance must be a finite number over 0\n");
+    write_file(lots, "x,y,radius\n0.5,0.9,0\n");
+    EXPECT_EQ(refusal(lots), "lacuna: --near " + lots +
+                                 ": must have a point with a distance over 0, or points may lie "
+                                 "nowhere\n");
+    // A kept point as far as that is near enough, and the domain reaches as far.
+    const std::string line = folder.path("line.txt"), kept = folder.path("kept.csv");
+    write_file(line, "2 50\n90 50\n");
+    write_file(kept, "x,y\n30,55\n");
+    const Outcome strip =
+        sample_with({"--near", line + ":5", "--keep", kept, "--radius", "1", "-o", json});
+    EXPECT_EQ(strip.exit_code, 0) << strip.err;
+    EXPECT_EQ(verify_with({json, "--near", line + ":5", "--keep", kept}).exit_code, 0);
+    const Json domain = Json::parse(files::read_whole(json));
+    EXPECT_EQ(domain["width"], 98);
+    EXPECT_EQ(domain["height"], 10);
+    EXPECT_EQ(domain["x0"], -3);
+    EXPECT_EQ(domain["y0"], 45);
 }
 
 TEST(Obstacles, ReachAroundATorus) {

@@ -69,6 +69,9 @@ std::vector<Obstacles> read_disks(const std::string& option, const FileAndWidth&
     std::vector<Obstacles> all;
     all.reserve(by_radius.size());
     for (auto& [width, rings] : by_radius) all.push_back({{std::move(rings)}, width});
+    if (option == "near" && all.empty())
+        throw BadRequest(option, shown(name),
+                         "must have a point with a distance over 0, or points may lie nowhere");
     return all;
 }
 
@@ -81,7 +84,9 @@ std::string path_of_obstacles(const std::string& text) {
 std::vector<Obstacles> read_obstacles(const std::string& option, const std::string& text) {
     const FileAndWidth given = file_and_width(text);
     if (given.width && !(*given.width > 0 && std::isfinite(*given.width)))
-        throw BadRequest(option, shown(text), "the width must be a finite number over 0");
+        throw BadRequest(option, shown(text),
+                         std::string(option == "near" ? "the distance" : "the width") +
+                             " must be a finite number over 0");
     if (given.path.ends_with(".csv")) return read_disks(option, given);
     Polygons lines = read_for(option, [&] { return read_lines(given.path); });
     if (!given.width)
