@@ -29,7 +29,7 @@ constexpr double kPixels = 64;
 // mask. The shorter side then has 2^10 units of the grid or more, with 16 classes 2^8, and pixels
 // can be counted.
 constexpr double kMostSides = 0x1p20;
-constexpr double kMostPixels = 0x1p30;
+constexpr double kMostPixelsAround = 0x1p30;
 
 // How far a point lies outside, along both axes.
 Point way_out(const Domain& domain, Point point) {
@@ -77,8 +77,8 @@ void check_margins(const Domain& domain, const Mask* mask, const Margins& across
                    const Margins& up) {
     double most = kMostSides * domain.shorter_side();
     if (mask != nullptr)
-        most = std::min(
-            most, kMostPixels * std::min(domain.width / mask->columns, domain.height / mask->rows));
+        most = std::min(most, kMostPixelsAround * std::min(domain.width / mask->columns,
+                                                           domain.height / mask->rows));
     const double longer = std::max(across.before + domain.width + across.behind,
                                    up.before + domain.height + up.behind);
     if (!(longer <= most))
