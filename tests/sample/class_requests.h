@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "backends/radius_field_requests.h"
+#include "sample/distance.h"
 
 namespace lacuna::tests {
 
@@ -44,15 +45,7 @@ public:
             sizes_.push_back(size_at(result.points[i], result.classes[i]));
     }
 
-    double distance(Point a, Point b) const {
-        double dx = std::abs(a.x - b.x);
-        double dy = std::abs(a.y - b.y);
-        if (request_.domain.wraps()) {
-            dx = std::min(dx, request_.domain.width - dx);
-            dy = std::min(dy, request_.domain.height - dy);
-        }
-        return std::hypot(dx, dy);
-    }
+    double distance(Point a, Point b) const { return distance_on(request_.domain, a, b); }
     // What a distance at importance 1 becomes at a spot; nothing where no point of a class may lie.
     std::optional<double> size_at(Point p, std::size_t kind) const {
         const Mask* mask = request_.mask;

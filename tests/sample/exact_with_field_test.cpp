@@ -15,6 +15,7 @@
 
 #include "backends/radius_field_requests.h"
 #include "refusal.h"
+#include "sample/distance.h"
 
 namespace {
 
@@ -28,15 +29,7 @@ public:
     explicit Plane(const Request& request)
         : request_(request), blur_(request.domain.longer_side() * 0x1p-28) {}
 
-    double distance(Point a, Point b) const {
-        double dx = std::abs(a.x - b.x);
-        double dy = std::abs(a.y - b.y);
-        if (request_.domain.wraps()) {
-            dx = std::min(dx, request_.domain.width - dx);
-            dy = std::min(dy, request_.domain.height - dy);
-        }
-        return std::hypot(dx, dy);
-    }
+    double distance(Point a, Point b) const { return tests::distance_on(request_.domain, a, b); }
     // 0 where no sample may be.
     double radius_at(Point p) const {
         const double border = request_.border;

@@ -13,6 +13,7 @@
 
 #include "backends/available.h"
 #include "refusal.h"
+#include "sample/distance.h"
 
 namespace lacuna {
 namespace progressive_test {
@@ -26,22 +27,13 @@ Request progressive(std::uint64_t count, std::uint64_t seed = 0) {
     return request;
 }
 
-double distance(Point a, Point b, const Request& request) {
-    double dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y);
-    if (request.domain.wraps()) {
-        dx = std::min(dx, request.domain.width - dx);
-        dy = std::min(dy, request.domain.height - dy);
-    }
-    return std::hypot(dx, dy);
-}
-
 // The least distance of each prefix, over that of a hexagonal lattice with as many points.
 std::vector<double> relative_distances(std::span<const Point> points, const Request& request) {
     std::vector<double> relative;
     double least = INFINITY;
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k)
-            least = std::min(least, distance(points[i], points[k], request));
+            least = std::min(least, tests::distance_on(request.domain, points[i], points[k]));
         const double area =
             request.domain.width * request.domain.height / static_cast<double>(i + 1);
         relative.push_back(least / std::sqrt(2 / std::sqrt(3.0) * area));
