@@ -52,6 +52,8 @@ public:
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
         static const png_byte exif[] = "eXIf";
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_AS_DEFAULT, exif, 1);
+        static const png_byte animation[] = "acTL";  // to be refused
+        png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_ALWAYS, animation, 1);
     }
     PngReader(const PngReader&) = delete;
     PngReader& operator=(const PngReader&) = delete;
@@ -60,6 +62,7 @@ public:
     Image read() {
         check_announced_size();
         guarded([&] { png_read_info(png_, info_); });
+        check_that_it_is_one();
         check_that_pixels_fit();
         int passes = 1;
         guarded([&] {
@@ -117,6 +120,15 @@ private:
                 files::load<std::uint32_t>(file_.bytes.substr(at), std::endian::big)};
         };
         check_size(file_, {number(kColumns), number(kRows)});
+    }
+
+    // The chunk acTL begins with the number of pictures.
+    void check_that_it_is_one() const {
+        png_unknown_chunkp kept = nullptr;
+        if (png_get_unknown_chunks(png_, info_, &kept) <= 0 || kept->size < 4) return;
+        const std::string_view number(reinterpret_cast<const char*>(kept->data), 4);
+        if (files::load<std::uint32_t>(number, std::endian::big) > 1)
+            file_.refuse("an animated PNG: must be one picture");
     }
 
     // Called before memory is allocated. Deflate packs at most 1032 bytes into one.

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -21,44 +20,11 @@
 #include "files/parse.h"
 #include "pictures/decode.h"
 #include "pictures/exif.h"
+#include "pictures/tiff_memory.h"
 #include "pictures/whole_samples.h"
 
 namespace lacuna::pictures {
 namespace {
-
-// The file in memory, as libtiff reads it.
-struct Memory {
-    std::string_view bytes;
-    std::uint64_t at = 0;
-
-    static Memory& of(thandle_t handle) { return *static_cast<Memory*>(handle); }
-    static tmsize_t read(thandle_t handle, void* to, tmsize_t count) {
-        Memory& memory = of(handle);
-        const std::string_view rest =
-            memory.bytes.substr(std::min<std::uint64_t>(memory.at, memory.bytes.size()),
-                                static_cast<std::size_t>(count));
-        std::memcpy(to, rest.data(), rest.size());
-        memory.at += rest.size();
-        return static_cast<tmsize_t>(rest.size());
-    }
-    static tmsize_t write(thandle_t, void*, tmsize_t) { return 0; }
-    static toff_t seek(thandle_t handle, toff_t to, int from) {
-        Memory& memory = of(handle);
-        if (from == SEEK_CUR) to += memory.at;
-        if (from == SEEK_END) to += memory.bytes.size();
-        return memory.at = to;
-    }
-    static int close(thandle_t) { return 0; }
-    static toff_t size(thandle_t handle) { return of(handle).bytes.size(); }
-    // libtiff 4.5 refuses whole tiles that are not mapped. It only reads what it maps.
-    static int map(thandle_t handle, void** base, toff_t* size) {
-        const std::string_view bytes = of(handle).bytes;
-        *base = const_cast<char*>(bytes.data());
-        *size = bytes.size();
-        return 1;
-    }
-    static void unmap(thandle_t, void*, toff_t) {}
-};
 
 class TiffReader {
 public:
@@ -67,9 +33,9 @@ public:
             TIFFOpenOptionsAlloc(), TIFFOpenOptionsFree);
         TIFFOpenOptionsSetErrorHandlerExtR(options.get(), on_error, this);
         TIFFOpenOptionsSetWarningHandlerExtR(options.get(), on_warning, nullptr);
-        tiff_.reset(TIFFClientOpenExt("picture", "r", &memory_, Memory::read, Memory::write,
-                                      Memory::seek, Memory::close, Memory::size, Memory::map,
-                                      Memory::unmap, options.get()));
+        tiff_.reset(TIFFClientOpenExt("picture", "r", &memory_, TiffMemory::read, TiffMemory::write,
+                                      TiffMemory::seek, TiffMemory::close, TiffMemory::size,
+                                      TiffMemory::map, TiffMemory::unmap, options.get()));
         check(tiff_ != nullptr);
     }
 
@@ -79,13 +45,14 @@ public:
         check_size(file_, size);
         const auto orientation = tag<std::uint16_t>(TIFFTAG_ORIENTATION);
         const auto bits = tag<std::uint16_t>(TIFFTAG_BITSPERSAMPLE);
+        check_kind(bits);
         check_that_pixels_fit(size);
         Image image = make_image(file_, size);
-        const std::optional<Layout> layout = layout_of_rows();
+        const std::optional<Layout> layout = layout_of_samples();
         if (layout && bits == 16)
-            read_rows<std::uint16_t>(image, *layout);
+            read_samples<std::uint16_t>(image, *layout);
         else if (layout && bits == 8)
-            read_rows<std::uint8_t>(image, *layout);
+            read_samples<std::uint8_t>(image, *layout);
         else
             read_as_rgba(image, bits);
         return upright(std::move(image), orientation >= 1 && orientation <= 8 ? orientation : 1);
@@ -94,6 +61,7 @@ public:
 private:
     static constexpr std::uint64_t kMostOfTile = 1U << 24U;  // pixels, of tiles beyond the picture
     static constexpr unsigned kMostChannels = 64;
+    static constexpr std::size_t kMostBytesOfPart = 1U << 27U;  // beyond the picture's own memory
 
     // The beginning of the first message of libtiff; it may not be left by an exception.
     static int on_error(TIFF*, void* self, const char*, const char* format, va_list values) {
@@ -111,6 +79,30 @@ private:
         if (!done)
             file_.refuse(
                 fmt::format("not a whole TIFF: libtiff says {}", files::excerpt(complaint_)));
+    }
+
+    // libtiff would take numbers of other kinds for colours, and its white of Lab is yellow.
+    void check_kind(unsigned bits) const {
+        const auto format = tag<std::uint16_t>(TIFFTAG_SAMPLEFORMAT);
+        if (format != SAMPLEFORMAT_UINT && format != SAMPLEFORMAT_VOID)
+            file_.refuse(
+                fmt::format("a TIFF of {} numbers, of {} bits: must be of whole numbers "
+                            "from 0 on; PFM and .npy may hold others",
+                            format == SAMPLEFORMAT_INT      ? "signed"
+                            : format == SAMPLEFORMAT_IEEEFP ? "floating-point"
+                                                            : "complex",
+                            bits));
+        const std::optional<std::uint16_t> photometric = given_photometric();
+        if (photometric == PHOTOMETRIC_CIELAB || photometric == PHOTOMETRIC_ICCLAB ||
+            photometric == PHOTOMETRIC_ITULAB)
+            file_.refuse("a TIFF in Lab colours: must be grey, RGB or CMYK");
+    }
+
+    // Without it libtiff guesses.
+    std::optional<std::uint16_t> given_photometric() const {
+        std::uint16_t photometric = 0;
+        if (TIFFGetField(tiff_.get(), TIFFTAG_PHOTOMETRIC, &photometric) == 0) return std::nullopt;
+        return photometric;
     }
 
     // Called before memory is allocated. A fax packs a white line of 2^17 pixels into a bit.
@@ -134,26 +126,24 @@ private:
         return number;
     }
 
-    // How samples lie side by side: 1 or 3 colours, then perhaps alpha, then others.
+    // What the samples of a pixel are: 1 or 3 colours, then perhaps alpha, then others.
     struct Layout {
         unsigned channels;
         unsigned colours;
         std::uint16_t alpha;  // libtiff's EXTRASAMPLE_
         bool is_inverted;     // 0 is white
+        bool is_planar;       // all samples of a channel lie together, not those of a pixel
     };
 
-    // The layout of rows of grey or RGB in whole numbers.
-    std::optional<Layout> layout_of_rows() const {
-        std::uint16_t photometric = 0;  // without it libtiff guesses
-        if (TIFFGetField(tiff_.get(), TIFFTAG_PHOTOMETRIC, &photometric) == 0) return std::nullopt;
+    // The layout of grey or RGB in whole numbers.
+    std::optional<Layout> layout_of_samples() const {
+        const std::optional<std::uint16_t> photometric = given_photometric();
         const bool is_grey =
             photometric == PHOTOMETRIC_MINISBLACK || photometric == PHOTOMETRIC_MINISWHITE;
         Layout layout{tag<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL), is_grey ? 1U : 3U,
-                      EXTRASAMPLE_UNSPECIFIED, photometric == PHOTOMETRIC_MINISWHITE};
-        if ((!is_grey && photometric != PHOTOMETRIC_RGB) || layout.channels < layout.colours ||
-            TIFFIsTiled(tiff_.get()) != 0 ||
-            tag<std::uint16_t>(TIFFTAG_SAMPLEFORMAT) != SAMPLEFORMAT_UINT ||
-            tag<std::uint16_t>(TIFFTAG_PLANARCONFIG) != PLANARCONFIG_CONTIG)
+                      EXTRASAMPLE_UNSPECIFIED, photometric == PHOTOMETRIC_MINISWHITE,
+                      tag<std::uint16_t>(TIFFTAG_PLANARCONFIG) == PLANARCONFIG_SEPARATE};
+        if ((!is_grey && photometric != PHOTOMETRIC_RGB) || layout.channels < layout.colours)
             return std::nullopt;
         std::uint16_t count = 0;
         std::uint16_t* kinds = nullptr;
@@ -162,56 +152,103 @@ private:
         return layout;
     }
 
+    // The parts of a picture that libtiff unpacks at once.
+    struct Parts {
+        bool are_tiles;
+        std::uint32_t width;
+        std::uint32_t height;  // the last strip may be lower
+    };
+
+    Parts parts_of(const Image& image) const {
+        const bool are_tiles = TIFFIsTiled(tiff_.get()) != 0;
+        const Parts parts{
+            are_tiles, are_tiles ? tag<std::uint32_t>(TIFFTAG_TILEWIDTH) : image.columns,
+            are_tiles ? tag<std::uint32_t>(TIFFTAG_TILELENGTH)
+                      : std::min(tag<std::uint32_t>(TIFFTAG_ROWSPERSTRIP), image.rows)};
+        const std::uint64_t pixels = std::uint64_t{parts.width} * parts.height;
+        // libtiff fills whole tiles, however large they are.
+        if (pixels == 0 ||
+            pixels > std::max(kMostOfTile, std::uint64_t{image.columns} * image.rows))
+            file_.refuse(fmt::format("a TIFF in tiles of {} x {} pixels: must be smaller",
+                                     parts.width, parts.height));
+        return parts;
+    }
+
     // libtiff gives samples in the machine's order of bytes.
     template <class Sample>
-    void read_rows(Image& image, const Layout& layout) {
+    void read_samples(Image& image, const Layout& layout) {
+        Parts parts = parts_of(image);
+        const bool are_rows = !parts.are_tiles && !layout.is_planar;
+        if (are_rows) parts.height = 1;
+        const bool has_alpha = layout.alpha != EXTRASAMPLE_UNSPECIFIED;
+        const unsigned planes = layout.is_planar ? layout.colours + (has_alpha ? 1 : 0) : 1;
+        const std::size_t of_plane =
+            std::size_t{parts.width} * parts.height * (layout.is_planar ? 1 : layout.channels);
+        const std::size_t room = planes * of_plane * sizeof(Sample);
+        if (room > std::max<std::size_t>(kMostBytesOfPart,
+                                         image.luminance.size() * sizeof(image.luminance[0])))
+            file_.refuse(fmt::format("a TIFF in parts of {:.2g} GB: must be smaller",
+                                     static_cast<double>(room) / 1e9));
+        std::vector<Sample> samples(planes * of_plane);
+        for (std::uint32_t y = 0; y < image.rows; y += parts.height)
+            for (std::uint32_t x = 0; x < image.columns; x += parts.width) {
+                const std::uint32_t rows = std::min(parts.height, image.rows - y);
+                for (unsigned plane = 0; plane < planes; ++plane) {
+                    const auto number = static_cast<std::uint16_t>(plane);
+                    Sample* const to = samples.data() + plane * of_plane;
+                    const auto bytes = static_cast<tmsize_t>(of_plane * sizeof(Sample));
+                    TIFF* const tiff = tiff_.get();
+                    check(are_rows ? TIFFReadScanline(tiff, to, y, 0) == 1
+                          : parts.are_tiles
+                              ? TIFFReadEncodedTile(tiff, TIFFComputeTile(tiff, x, y, 0, number),
+                                                    to, bytes) >= 0
+                              : TIFFReadEncodedStrip(tiff, TIFFComputeStrip(tiff, y, number), to,
+                                                     bytes) >= 0);
+                }
+                for (std::uint32_t row = 0; row < rows; ++row)
+                    fill_from(samples, layout, of_plane, std::size_t{row} * parts.width,
+                              row_of(image, y + row)
+                                  .subspan(x, std::min(parts.width, image.columns - x)));
+            }
+    }
+
+    // Fills a row from the samples, the first of which is that of pixel `first` of its part.
+    template <class Sample>
+    void fill_from(const std::vector<Sample>& samples, const Layout& layout, std::size_t of_plane,
+                   std::size_t first, std::span<double> row) const {
         constexpr std::int32_t kMax = std::numeric_limits<Sample>::max();
-        const bool is_straight = layout.alpha == EXTRASAMPLE_UNASSALPHA;
-        const bool is_white = file_.reading.backdrop == Backdrop::white;
-        std::vector<Sample> samples(
-            static_cast<std::size_t>(TIFFScanlineSize(tiff_.get())) / sizeof(Sample) + 1);
         const auto at = [&](std::size_t x, std::size_t channel) {
-            const std::int32_t sample = samples[x * layout.channels + channel];
+            const std::int32_t sample =
+                samples[layout.is_planar ? channel * of_plane + first + x
+                                         : (first + x) * layout.channels + channel];
             return layout.is_inverted && channel == 0 ? kMax - sample : sample;
         };
-        for (std::uint32_t y = 0; y < image.rows; ++y) {
-            check(TIFFReadScanline(tiff_.get(), samples.data(), y, 0) == 1);
-            const std::span<double> row = row_of(image, y);
-            with_channels(layout.colours + (is_straight ? 1 : 0),
-                          [&](auto channels) { fill_row<channels>(row, kMax, file_.reading, at); });
-            if (layout.alpha != EXTRASAMPLE_ASSOCALPHA || !is_white) continue;
-            for (std::size_t x = 0; x < row.size(); ++x)  // alpha has multiplied the colours
-                row[x] = std::min(1.0, row[x] + 1 - at(x, layout.colours) / double{kMax});
-        }
+        const bool is_straight = layout.alpha == EXTRASAMPLE_UNASSALPHA;
+        with_channels(layout.colours + (is_straight ? 1 : 0),
+                      [&](auto channels) { fill_row<channels>(row, kMax, file_.reading, at); });
+        if (layout.alpha != EXTRASAMPLE_ASSOCALPHA || file_.reading.backdrop != Backdrop::white)
+            return;
+        for (std::size_t x = 0; x < row.size(); ++x)  // alpha has multiplied the colours
+            row[x] = std::min(1.0, row[x] + 1 - at(x, layout.colours) / double{kMax});
     }
 
     // All else that libtiff turns into 8 bits of red, green, blue and alpha, by strips or tiles.
     void read_as_rgba(Image& image, unsigned bits) {
         if (bits > 8)
             file_.refuse(
-                fmt::format("a TIFF of {} bits a sample: must be 1 to 8 bits, or whole "
-                            "numbers of 16 bits, grey or RGB, in rows",
+                fmt::format("a TIFF of {} bits a sample: must be 1 to 8 bits, or 16 bits "
+                            "in grey or RGB",
                             bits));
         if (tag<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL) == 2)
-            file_.refuse("a TIFF of grey with alpha: must be in rows");
+            file_.refuse(fmt::format("a TIFF of {} bits with alpha: must be 8 or 16 bits", bits));
         char why[1024] = "";
         if (TIFFRGBAImageOK(tiff_.get(), why) == 0)
             file_.refuse(fmt::format("a TIFF that libtiff cannot turn into colours: {}",
                                      files::excerpt(why)));
         // upright() applies the orientation, of which libtiff knows half.
         TIFFSetField(tiff_.get(), TIFFTAG_ORIENTATION, std::uint16_t{ORIENTATION_TOPLEFT});
-        const bool is_tiled = TIFFIsTiled(tiff_.get()) != 0;
-        const auto width = is_tiled ? tag<std::uint32_t>(TIFFTAG_TILEWIDTH) : image.columns;
-        // libtiff fills whole tiles, however large they are.
-        const auto height = is_tiled
-                                ? tag<std::uint32_t>(TIFFTAG_TILELENGTH)
-                                : std::min(tag<std::uint32_t>(TIFFTAG_ROWSPERSTRIP), image.rows);
-        const std::uint64_t pixels = std::uint64_t{width} * height;
-        if (pixels == 0 ||
-            pixels > std::max(kMostOfTile, std::uint64_t{image.columns} * image.rows))
-            file_.refuse(
-                fmt::format("a TIFF in tiles of {} x {} pixels: must be smaller", width, height));
-        std::vector<std::uint32_t> part(pixels);
+        const auto [is_tiled, width, height] = parts_of(image);
+        std::vector<std::uint32_t> part(std::size_t{width} * height);
         for (std::uint32_t y = 0; y < image.rows; y += height)
             for (std::uint32_t x = 0; x < image.columns; x += width) {
                 check((is_tiled ? TIFFReadRGBATileExt(tiff_.get(), x, y, part.data(), 1)
@@ -248,7 +285,7 @@ private:
     }
 
     const Encoded& file_;
-    Memory memory_;
+    TiffMemory memory_;
     std::string complaint_;
     std::unique_ptr<TIFF, decltype(&TIFFClose)> tiff_{nullptr, TIFFClose};
 };

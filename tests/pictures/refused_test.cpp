@@ -104,6 +104,10 @@ INSTANTIATE_TEST_SUITE_P(
         {"NoPixels", ihdr(1, 1, 8, 0) + png_chunk("IEND", ""), "not a whole PNG"},
         {"NoPalette", ihdr(1, 1, 8, 3) + png_chunk("IDAT", "x") + png_chunk("IEND", ""),
          "not a whole PNG"},
+        {"Animated",
+         kPng.substr(0, 33) + png_chunk("acTL", std::string("\0\0\0\2\0\0\0\0", 8)) +
+             kPng.substr(33),
+         "an animated PNG: must be one picture"},
         {"UnknownType", ihdr(1, 1, 8, 5), "not a whole PNG"}}),
     name_of_case);
 

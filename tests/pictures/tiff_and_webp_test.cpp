@@ -26,7 +26,7 @@ struct Tiff {
     std::uint32_t columns = 1;
     std::uint32_t rows = 1;
     unsigned bits = 8;
-    unsigned channels = 1;  // 2 and 4: the last is alpha, which did not multiply the others
+    unsigned channels = 1;
     unsigned photometric = PHOTOMETRIC_MINISBLACK;
     unsigned compression = COMPRESSION_NONE;
     std::uint32_t rows_of_strip = 3;
@@ -34,7 +34,9 @@ struct Tiff {
     std::uint32_t tile_length = 16;
     int orientation = 1;
     unsigned format = SAMPLEFORMAT_UINT;
-    const char* mode = "w";  // b: big-endian, 8: BigTIFF
+    unsigned extra = EXTRASAMPLE_UNASSALPHA;  // what the last of an even number of channels is
+    bool planar = false;                      // each channel by itself
+    const char* mode = "w";                   // b: big-endian, 8: BigTIFF
 };
 
 // The samples in the machine's order, of 8, 16 or 32 bits.
@@ -44,6 +46,32 @@ std::vector<std::uint8_t> raw(const Samples& samples, unsigned bits) {
         for (unsigned byte = 0; byte < bits / 8; ++byte)
             bytes.push_back(static_cast<std::uint8_t>(byte < 2 ? sample >> (8 * byte) : 0));
     return bytes;
+}
+
+// Writes the pixels, or one channel of them.
+void write(TIFF* tiff, const Tiff& made, std::vector<std::uint8_t> bytes, unsigned channels,
+           unsigned plane) {
+    const std::size_t pixel = made.bits / 8 * channels;
+    if (!made.tiled) {
+        TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, made.rows_of_strip);
+        for (std::uint32_t y = 0; y < made.rows; ++y)
+            TIFFWriteScanline(tiff, bytes.data() + y * made.columns * pixel, y,
+                              static_cast<std::uint16_t>(plane));
+        return;
+    }
+    constexpr std::uint32_t kSide = 16;
+    TIFFSetField(tiff, TIFFTAG_TILEWIDTH, kSide);
+    TIFFSetField(tiff, TIFFTAG_TILELENGTH, made.tile_length);
+    for (std::uint32_t y = 0; y < made.rows; y += made.tile_length)
+        for (std::uint32_t x = 0; x < made.columns; x += kSide) {
+            std::vector<std::uint8_t> tile(kSide * made.tile_length * pixel);
+            for (std::uint32_t row = 0; row < std::min(made.tile_length, made.rows - y); ++row)
+                std::copy_n(bytes.begin() +
+                                static_cast<std::ptrdiff_t>(((y + row) * made.columns + x) * pixel),
+                            std::min(kSide, made.columns - x) * pixel,
+                            tile.begin() + static_cast<std::ptrdiff_t>(row * kSide * pixel));
+            TIFFWriteTile(tiff, tile.data(), x, y, 0, static_cast<std::uint16_t>(plane));
+        }
 }
 
 std::string tiff_bytes(const Tiff& made, const Samples& samples) {
@@ -60,33 +88,22 @@ std::string tiff_bytes(const Tiff& made, const Samples& samples) {
     set(TIFFTAG_SAMPLESPERPIXEL, made.channels);
     set(TIFFTAG_PHOTOMETRIC, made.photometric);
     set(TIFFTAG_COMPRESSION, made.compression);
-    set(TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    set(TIFFTAG_PLANARCONFIG, made.planar ? PLANARCONFIG_SEPARATE : PLANARCONFIG_CONTIG);
     set(TIFFTAG_ORIENTATION, static_cast<unsigned>(made.orientation));
     set(TIFFTAG_SAMPLEFORMAT, made.format);
     if (made.channels % 2 == 0 && made.photometric != PHOTOMETRIC_SEPARATED) {
-        const std::uint16_t alpha = EXTRASAMPLE_UNASSALPHA;
-        TIFFSetField(tiff.get(), TIFFTAG_EXTRASAMPLES, 1, &alpha);
+        const auto extra = static_cast<std::uint16_t>(made.extra);
+        TIFFSetField(tiff.get(), TIFFTAG_EXTRASAMPLES, 1, &extra);
     }
-    std::vector<std::uint8_t> bytes = raw(samples, made.bits);
-    const std::size_t pixel = made.bits / 8 * made.channels;
-    if (!made.tiled) {
-        set(TIFFTAG_ROWSPERSTRIP, made.rows_of_strip);
-        for (std::uint32_t y = 0; y < made.rows; ++y)
-            TIFFWriteScanline(tiff.get(), bytes.data() + y * made.columns * pixel, y, 0);
+    if (!made.planar) {
+        write(tiff.get(), made, raw(samples, made.bits), made.channels, 0);
     } else {
-        constexpr std::uint32_t kSide = 16;
-        set(TIFFTAG_TILEWIDTH, kSide);
-        set(TIFFTAG_TILELENGTH, made.tile_length);
-        for (std::uint32_t y = 0; y < made.rows; y += made.tile_length)
-            for (std::uint32_t x = 0; x < made.columns; x += kSide) {
-                std::vector<std::uint8_t> tile(kSide * made.tile_length * pixel);
-                for (std::uint32_t row = 0; row < std::min(made.tile_length, made.rows - y); ++row)
-                    std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(
-                                                    ((y + row) * made.columns + x) * pixel),
-                                std::min(kSide, made.columns - x) * pixel,
-                                tile.begin() + static_cast<std::ptrdiff_t>(row * kSide * pixel));
-                TIFFWriteTile(tiff.get(), tile.data(), x, y, 0, 0);
-            }
+        for (unsigned channel = 0; channel < made.channels; ++channel) {
+            Samples own;
+            for (std::size_t i = channel; i < samples.size(); i += made.channels)
+                own.push_back(samples[i]);
+            write(tiff.get(), made, raw(own, made.bits), 1, channel);
+        }
     }
     tiff.reset();
     const std::string bytes_of_file = files::read_whole(path);
@@ -104,30 +121,56 @@ std::vector<double> as_png(const Tiff& tiff, const Samples& samples) {
         .luminance;
 }
 
-TEST(ATiff, GivesThePixelsOfThePngInStripsOrTilesOfAnyCompression) {
+// Every way in which the samples of grey and RGB with and without alpha may lie.
+std::vector<Tiff> all_ways() {
+    std::vector<Tiff> all;
     for (const unsigned bits : {8U, 16U})
         for (const unsigned channels : {1U, 2U, 3U, 4U})
             for (const int compression : {COMPRESSION_NONE, COMPRESSION_LZW})
                 for (const char* const mode : {"wl", "wb", "wb8"})
-                    for (const bool tiled : {false, true}) {
-                        if (tiled && (bits == 16 || channels == 2)) continue;
-                        Tiff tiff{37, 21, bits, channels};
-                        if (channels > 2) tiff.photometric = PHOTOMETRIC_RGB;
-                        tiff.compression = static_cast<unsigned>(compression);
-                        tiff.tiled = tiled;
-                        tiff.mode = mode;
-                        const Samples samples =
-                            pattern(std::size_t{37} * 21 * channels, (1U << bits) - 1);
-                        const Image image = decode_image(tiff_bytes(tiff, samples), "file");
-                        ASSERT_EQ(image.columns, 37U);
-                        ASSERT_EQ(image.rows, 21U);
-                        const std::vector<double> expected = as_png(tiff, samples);
-                        // In tiles libtiff multiplies by alpha, and rounds.
-                        const double rounding = channels % 2 == 0 && tiled ? 1.0 / 255 : 1e-15;
-                        for (std::size_t i = 0; i < expected.size(); ++i)
-                            ASSERT_NEAR(image.luminance[i], expected[i], rounding)
-                                << bits << " " << channels << " " << mode << tiled << " " << i;
-                    }
+                    for (const bool tiled : {false, true})
+                        for (const bool planar : {false, true}) {
+                            Tiff& tiff = all.emplace_back(Tiff{37, 21, bits, channels});
+                            if (channels > 2) tiff.photometric = PHOTOMETRIC_RGB;
+                            tiff.compression = static_cast<unsigned>(compression);
+                            tiff.mode = mode;
+                            tiff.tiled = tiled;
+                            tiff.planar = planar;
+                        }
+    return all;
+}
+
+std::string text_of(const Tiff& tiff) {
+    return std::to_string(tiff.bits) + " bits, " + std::to_string(tiff.channels) + " channels, " +
+           tiff.mode + (tiff.tiled ? ", tiles" : "") + (tiff.planar ? ", planes" : "");
+}
+
+TEST(ATiff, GivesThePixelsOfThePngInStripsTilesOrPlanesOfAnyCompression) {
+    for (const Tiff& tiff : all_ways()) {
+        const Samples samples =
+            pattern(std::size_t{37} * 21 * tiff.channels, (1U << tiff.bits) - 1);
+        const Image image = decode_image(tiff_bytes(tiff, samples), "file");
+        ASSERT_EQ(image.columns, 37U);
+        ASSERT_EQ(image.rows, 21U);
+        const std::vector<double> expected = as_png(tiff, samples);
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            ASSERT_NEAR(image.luminance[i], expected[i], 1e-15) << text_of(tiff) << " " << i;
+    }
+}
+
+TEST(ATiff, WithABandThatIsNoAlphaHasThePixelsOfTheOthers) {
+    for (Tiff tiff : all_ways()) {
+        if (tiff.channels % 2 == 1) continue;
+        tiff.extra = EXTRASAMPLE_UNSPECIFIED;
+        const Samples samples =
+            pattern(std::size_t{37} * 21 * tiff.channels, (1U << tiff.bits) - 1);
+        Samples colours;
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            if ((i + 1) % tiff.channels != 0) colours.push_back(samples[i]);
+        const Image image = decode_image(tiff_bytes(tiff, samples), "file");
+        --tiff.channels;
+        EXPECT_EQ(image.luminance, as_png(tiff, colours)) << text_of(tiff);
+    }
 }
 
 TEST(ATiff, WhoseZeroIsWhiteIsInverted) {
@@ -159,7 +202,6 @@ TEST(ATiff, IsTurnedUpright) {
     for (const unsigned bits : {8U, 16U})
         for (int orientation = 1; orientation <= 8; ++orientation)
             for (const bool tiled : {false, true}) {
-                if (tiled && bits == 16) continue;
                 Tiff tiff{19, 20, bits};
                 tiff.tiled = tiled;
                 const Samples samples = pattern(380, 255);
@@ -182,17 +224,32 @@ std::string refused(const std::string& bytes) {
 }
 
 TEST(ATiff, ThatIsBrokenOrOfAnotherKindIsRefused) {
-    Tiff tiff{40, 30, 32};
-    tiff.format = SAMPLEFORMAT_IEEEFP;
-    EXPECT_EQ(
-        refused(tiff_bytes(tiff, pattern(1200, 9))),
-        "f: a TIFF of 32 bits a sample: must be 1 to 8 bits, or whole numbers of 16 bits, grey "
-        "or RGB, in rows");
-    tiff = {40, 30, 16};
-    tiff.format = SAMPLEFORMAT_INT;
-    EXPECT_EQ(refused(tiff_bytes(tiff, pattern(1200, 9))).substr(0, 40),
-              "f: a TIFF of 16 bits a sample: must be 1");
-    tiff = {40, 30, 8};
+    struct Kind {
+        unsigned bits, format, photometric, channels;
+        const char* told;
+    };
+    for (const auto& [bits, format, photometric, channels, told] : std::vector<Kind>{
+             {32, SAMPLEFORMAT_IEEEFP, PHOTOMETRIC_MINISBLACK, 1,
+              "a TIFF of floating-point numbers, of 32 bits: must be of whole numbers from 0 on; "
+              "PFM and .npy may hold others"},
+             {16, SAMPLEFORMAT_INT, PHOTOMETRIC_MINISBLACK, 1,
+              "a TIFF of signed numbers, of 16 bits: must be of whole numbers from 0 on; PFM and "
+              ".npy may hold others"},
+             {8, SAMPLEFORMAT_INT, PHOTOMETRIC_RGB, 3,
+              "a TIFF of signed numbers, of 8 bits: must be of whole numbers from 0 on; PFM and "
+              ".npy may hold others"},
+             {32, SAMPLEFORMAT_UINT, PHOTOMETRIC_MINISBLACK, 1,
+              "a TIFF of 32 bits a sample: must be 1 to 8 bits, or 16 bits in grey or RGB"},
+             {16, SAMPLEFORMAT_UINT, PHOTOMETRIC_SEPARATED, 4,
+              "a TIFF of 16 bits a sample: must be 1 to 8 bits, or 16 bits in grey or RGB"},
+             {8, SAMPLEFORMAT_UINT, PHOTOMETRIC_CIELAB, 3,
+              "a TIFF in Lab colours: must be grey, RGB or CMYK"}}) {
+        Tiff other{40, 30, bits, channels, photometric};
+        other.format = format;
+        EXPECT_EQ(refused(tiff_bytes(other, pattern(std::size_t{1200} * channels, 9))),
+                  std::string("f: ") + told);
+    }
+    Tiff tiff{40, 30, 8};
     tiff.compression = COMPRESSION_LZW;
     const std::string whole = tiff_bytes(tiff, pattern(1200, 255));
     for (const std::size_t length : {std::size_t{4}, std::size_t{8}, whole.size() / 2})
