@@ -1,8 +1,12 @@
 // `lacuna mask` writes the ranks of threshold_mask() as a grey PNG of 8 or 16 bits.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <lacuna/threshold_mask.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +18,25 @@
 namespace mask_test {
 
 using namespace lacuna::tests;
+
+// 256 x 256 ranks are as many as 16 bits have numbers.
+TEST(Mask, ComparedWithAGreyIsWhiteInProportionAndBlackAndWhiteStayThemselves) {
+    const Folder folder;
+    for (const unsigned bits : {8U, 16U}) {
+        const std::string path = folder.path("a.png");
+        const std::uint32_t side = bits == 8 ? 32 : 256;
+        expect_success({"mask", fmt::format("{0}x{0}", side), "--bits", std::to_string(bits),
+                        "--quiet", "-o", path});
+        const lacuna::pictures::Image image = lacuna::pictures::read_image(path);
+        const double pixels = side * side;
+        for (const int grey : {0, 1, 100, 254, 255}) {
+            const auto white = static_cast<double>(
+                std::count_if(image.luminance.begin(), image.luminance.end(),
+                              [&](double threshold) { return grey / 255.0 > threshold; }));
+            EXPECT_NEAR(white / pixels, grey / 255.0, grey % 255 == 0 ? 0 : 2 / pixels) << grey;
+        }
+    }
+}
 
 TEST(Mask, HasTheRanksInProportionToTheLargestNumber) {
     const Folder folder;
@@ -27,7 +50,7 @@ TEST(Mask, HasTheRanksInProportionToTheLargestNumber) {
         ASSERT_EQ(image.rows, 16U);
         const double most = (1U << bits) - 1;
         for (std::size_t i = 0; i < mask.ranks.size(); ++i)
-            ASSERT_EQ(image.luminance[i], ((mask.ranks[i] << bits) / 384) / most) << i;
+            ASSERT_EQ(image.luminance[i], std::floor(most * mask.ranks[i] / 384) / most) << i;
     }
 }
 
@@ -46,7 +69,7 @@ TEST(Mask, WritesAFileForEachFrame) {
                 lacuna::pictures::read_image(folder.path(name + number + ".png"));
             for (std::size_t i = 0; i < 96; ++i)
                 ASSERT_EQ(image.luminance[i],
-                          (mask.ranks[frame * 96 + i] * 65536U / 1056) / 65535.0);
+                          (mask.ranks[frame * 96 + i] * 65535U / 1056) / 65535.0);
         }
 }
 

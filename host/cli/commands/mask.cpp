@@ -37,8 +37,10 @@ Examples:
   lacuna mask 64x64 --frames 16 -o 'mask{frame}.png'   for a film: even in space and in time
 
 Each pixel has its rank, in proportion to the largest number that it can hold. For every level the
-pixels under it are spread evenly, also across the tile's edges: compare a picture with the tile,
-repeated, and it becomes black and white with the noise at high frequencies. 64 x 64 pixels take
+pixels under it are spread evenly, also across the tile's edges. Compare a picture with the tile,
+repeated: white where the picture's number is greater than the tile's, and black elsewhere. So it
+becomes black and white with the noise at high frequencies. The tile's numbers are at most 254 (with
+16 bits 65534), so that white stays white, and black is black. 64 x 64 pixels take
 0.05 s; the time grows with the square of their number. --frames makes tiles of which each is spread
 as evenly, and the values of each pixel vary as fast as they can from tile to tile: their mean over
 a few frames is even, too. After the last tile comes the first one again.
@@ -63,13 +65,14 @@ Raster sides_of(const std::string& text) {
     return sides;
 }
 
-// The ranks as numbers of `bits` bits. Each number comes equally often, to within one.
+// The ranks as numbers of `bits` bits. Each comes equally often, to within one, but for the
+// largest, which never comes: a picture's white must be greater than all of them.
 std::vector<std::uint16_t> numbers_of(const ThresholdMask& mask, unsigned bits) {
+    const std::uint64_t white = (1U << bits) - 1;
     std::vector<std::uint16_t> numbers;
     numbers.reserve(mask.ranks.size());
     for (const std::uint32_t rank : mask.ranks)
-        numbers.push_back(
-            static_cast<std::uint16_t>((std::uint64_t{rank} << bits) / mask.ranks.size()));
+        numbers.push_back(static_cast<std::uint16_t>(white * rank / mask.ranks.size()));
     return numbers;
 }
 
