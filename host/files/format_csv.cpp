@@ -2,7 +2,6 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -22,17 +21,6 @@
 
 namespace lacuna::files {
 namespace {
-
-// Two columns without a header, or without the names x and y in it, are x and y.
-PointColumns columns_of(const CsvRows& rows) {
-    const std::vector<std::string>& names = rows.names();
-    const auto has = [&](std::string_view word) {
-        return std::any_of(names.begin(), names.end(),
-                           [&](const std::string& name) { return is_called(name, word); });
-    };
-    if (names.empty() || (names.size() == 2 && !has("x") && !has("y"))) return {};
-    return {names, rows.place()};
-}
 
 // A name as a field: in quotes if it has a character that has a meaning in a .csv.
 std::string field_of(const std::string& name) {
@@ -78,7 +66,8 @@ SetsOfFile decode_csv(std::string_view bytes, const std::string& name) {
     CsvRows rows(bytes, name);
     SetsOfFile file = one_set({});
     std::vector<Point>& points = file.sets.front();
-    const PointColumns columns = columns_of(rows);
+    const PointColumns columns =
+        rows.names().empty() ? PointColumns() : PointColumns(rows.names(), rows.place());
     ThirdCoordinate third(name);
     while (rows.next()) {
         if (rows.names().empty() && rows.columns() != 2)

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
 
 #include "files/parse.h"
 
@@ -42,12 +45,23 @@ PointColumns::PointColumns(std::span<const std::string> names, const std::string
         if (count == 0) return std::nullopt;
         return std::find_if(names.begin(), names.end(), has_it) - names.begin();
     };
-    const std::optional<std::size_t> named_x = find("x"), named_y = find("y");
-    if (!named_x || !named_y)
-        refuse(place, fmt::format("the columns are {}: one must be called x and one y",
-                                  excerpt(fmt::format("{}", fmt::join(names, ",")))));
-    x = *named_x;
-    y = *named_y;
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kPairs{
+        {{"x", "y"},
+         {"easting", "northing"},
+         {"lon", "lat"},
+         {"lon", "latitude"},
+         {"longitude", "lat"},
+         {"longitude", "latitude"}}};
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    for (const auto& [across, up] : kPairs)
+        if (const auto named_x = find(across), named_y = find(up); named_x && named_y)
+            if (found.emplace_back(*named_x, *named_y); across == "x") break;
+    if (found.size() != 1)
+        refuse(place, fmt::format("the columns are {}: two must be called x and y{}",
+                                  excerpt(fmt::format("{}", fmt::join(names, ","))),
+                                  found.empty() ? ", lon and lat, or easting and northing"
+                                                : ", if there is more than one pair"));
+    std::tie(x, y) = found.front();
     z = find("z");
     of_class = find("class");
     ink = find("ink");

@@ -45,8 +45,9 @@ struct PointColumns {
 
     // Two columns, x and y.
     PointColumns() = default;
-    // Finds the columns by their names, in upper or lower case. Throws FileError, in which `place`
-    // stands for the header, unless one is called x and one y.
+    // Finds the columns by their names, in upper or lower case: x and y or, without these, easting
+    // and northing, or lon or longitude, and lat or latitude. Throws FileError, in which `place`
+    // stands for the header, if there is no such pair, or if there are two without x and y.
     PointColumns(std::span<const std::string> names, const std::string& place);
 };
 

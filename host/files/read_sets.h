@@ -60,7 +60,8 @@ struct SetsOfFile {
 //   txt   `x y` on each line; blank lines and lines that begin with # are skipped. If the first
 //         line is a single whole number N, as in PSA's files, N points must follow
 //   csv   two columns with commas, semicolons or tabs between them, or more below a header that
-//         calls two of them x and y; comments and blank lines as in txt. The columns class, ink, a,
+//         calls two of them x and y, lon and lat, or easting and northing; comments and blank lines
+//         as in txt. The columns class, ink, a,
 //         b and angle are read, too
 //   npy   versions 1.0 to 3.0; N x 2 or as this program writes it with dots or ellipses; whole or
 //         floating-point numbers in either byte order, C or Fortran order

@@ -392,9 +392,10 @@ TEST(Obstacles, AreRefusedInOneLine) {
     EXPECT_EQ(refusal({"--avoid", rocks}),
               "lacuna: " + rocks + ":2: 2 columns: the header has 3\n");
     write_file(rocks, "x,size\n0.5,0.5\n");
-    EXPECT_EQ(
-        refusal({"--avoid", rocks + ":.1"}),
-        "lacuna: " + rocks + ":1: the columns are \"x,size\": one must be called x and one y\n");
+    EXPECT_EQ(refusal({"--avoid", rocks + ":.1"}),
+              "lacuna: " + rocks +
+                  ":1: the columns are \"x,size\": two must be called x and y, lon and lat, or "
+                  "easting and northing\n");
 }
 
 }  // namespace placement_test

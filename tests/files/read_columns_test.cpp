@@ -44,6 +44,11 @@ TEST(ACsvFile, IsReadByTheNamesOfItsColumns) {
              "info,x,name,y\n5,1,\"a, \"\"b\"\"\",2\n6,3,c,4\n",
              "x,y,z\n1,2,9\n3,4,9\n",
              "lon,lat\n1,2\n3,4\n",
+             "lat,lon\n2,1\n4,3\n",
+             "Latitude;id;Longitude\n2;9;1\n4;9;3\n",
+             "latitude,lon\n2,1\n4,3\n",
+             "northing,easting\n2,1\n4,3\n",
+             "lat,lon,y,x\n8,9,2,1\n8,9,4,3\n",  // x and y come before others
          })
         EXPECT_EQ(read("a.csv", text), kTwo) << text;
 }
