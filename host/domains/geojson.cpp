@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/polling.h"
+#include "domains/enclosed.h"
 #include "domains/join.h"
 #include "domains/rings.h"
 #include "files/parse.h"
@@ -146,7 +147,7 @@ private:
             std::transform(polygon.rings.begin(), polygon.rings.end(), std::back_inserter(lines_),
                            around_and_back);
         else
-            polygons_.push_back(std::move(polygon));
+            polygons_.push_back({shell_less_holes(std::move(polygon.rings))});
     }
 
     void read_line(const Json& object, bool is_point, const std::string& place) {

@@ -4,82 +4,15 @@
 #include "domains/join.h"
 
 #include <algorithm>
-#include <clipper.hpp>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <span>
 #include <utility>
 
-#include "base/polling.h"
+#include "domains/clip.h"
 
 namespace lacuna::domains {
 namespace {
-
-using ClipperLib::Path;
-using ClipperLib::Paths;
-
-// Coordinates have 52 bits. Clipper computes some of them in doubles, which hold 53.
-constexpr int kBits = 52;
-
-double largest_of(const std::vector<Polygon>& polygons) {
-    double largest = 0;
-    for (const Polygon& polygon : polygons)
-        for (const PolygonRing& ring : polygon.rings)
-            for (const Point& point : ring)
-                largest = std::max({largest, std::abs(point.x), std::abs(point.y)});
-    return largest;
-}
-
-Path whole_path(const PolygonRing& ring, int exponent) {
-    const auto whole = [exponent](double value) {
-        return std::llrint(std::ldexp(value, exponent));
-    };
-    Path path;
-    ask_after(ring.size());
-    path.reserve(ring.size());
-    for (const Point& point : ring) path.emplace_back(whole(point.x), whole(point.y));
-    return path;
-}
-
-PolygonRing ring_of(const Path& path, int exponent) {
-    PolygonRing ring;
-    ask_after(path.size());
-    ring.reserve(path.size());
-    for (const auto& [x, y] : path)
-        ring.push_back({std::ldexp(static_cast<double>(x), -exponent),
-                        std::ldexp(static_cast<double>(y), -exponent)});
-    return ring;
-}
-
-// The rings go around each place once that is inside of `paths` by the rule.
-Paths united(const Paths& paths, ClipperLib::PolyFillType fill) {
-    ask();
-    ClipperLib::Clipper clipper;
-    clipper.AddPaths(paths, ClipperLib::ptSubject, true);
-    Paths all;
-    clipper.Execute(ClipperLib::ctUnion, all, fill, fill);
-    return all;
-}
-
-struct Box {
-    Path::value_type low{std::numeric_limits<ClipperLib::cInt>::max(),
-                         std::numeric_limits<ClipperLib::cInt>::max()};
-    Path::value_type high{std::numeric_limits<ClipperLib::cInt>::min(),
-                          std::numeric_limits<ClipperLib::cInt>::min()};
-
-    void add(const Path& path) {
-        for (const auto& [x, y] : path) {
-            low = {std::min(low.X, x), std::min(low.Y, y)};
-            high = {std::max(high.X, x), std::max(high.Y, y)};
-        }
-    }
-    bool touches(const Box& other) const {
-        return low.X <= other.high.X && other.low.X <= high.X && low.Y <= other.high.Y &&
-               other.low.Y <= high.Y;
-    }
-};
 
 Box box_around(const Paths& paths) {
     Box box;
@@ -135,9 +68,9 @@ Paths join(std::span<Part> parts) {
 std::vector<PolygonRing> join(std::vector<Polygon> polygons) {
     if (polygons.size() == 1 && polygons.front().fill == Fill::even_odd)
         return std::move(polygons.front().rings);
-    int exponent = 0;
-    std::frexp(largest_of(polygons), &exponent);
-    exponent = kBits - exponent;
+    double largest = 0;
+    for (const Polygon& polygon : polygons) largest = std::max(largest, largest_of(polygon.rings));
+    const int exponent = exponent_for(largest);
     std::vector<Part> parts;
     parts.reserve(polygons.size());
     for (const Polygon& polygon : polygons) {

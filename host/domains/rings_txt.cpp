@@ -42,6 +42,7 @@ public:
 
     Polygons finish() {
         end_ring();
+        if (take_ == Take::insides) polygons_.rings = joined(std::move(polygons_.rings));
         return std::move(polygons_);
     }
 

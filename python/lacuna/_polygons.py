@@ -157,6 +157,8 @@ class _Place:
             )
         else:
             self.rings = [points_array(argument, ring) for ring in given]
+            if argument != "near":  # whose rings are lines
+                self.rings = _core.joined(self.rings)
 
     def on(self, domain: Extent, torus: bool) -> _core.PolygonSet:
         """The set for the library. A page is stretched over the domain; on a torus obstacles have
@@ -310,8 +312,8 @@ def draw_mask(
 ) -> npt.NDArray[np.bool_]:
     """Draw polygons onto an array of bool, the ``mask`` of ``sample`` and ``verify``.
 
-    A pixel is True if all of it is inside: if an odd number of rings goes around it. So a ring
-    within another is a hole, and no point of ``sample`` lies outside. The diagonal of a pixel is at
+    A pixel is True if all of it is inside. A ring within another is a hole, and rings that overlap
+    in part are joined. So no point of ``sample`` lies outside. The diagonal of a pixel is at
     most ``edge``, so all that is farther than ``edge`` from the rings is True. The same rings give
     the same mask on every machine, which is also the mask of the command's ``--inside`` with this
     ``--edge``.

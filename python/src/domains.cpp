@@ -51,6 +51,18 @@ nb::dict polygons_of(const nb::bytes& bytes, bool as_lines) {
     return found;
 }
 
+nb::list joined_rings(const nb::list& given) {
+    std::vector<PolygonRing> rings;
+    for (const nb::handle ring : given) rings.push_back(points_of(nb::cast<PointArray>(ring)));
+    {
+        const Unlocked unlocked;
+        rings = joined(std::move(rings));
+    }
+    nb::list all;
+    for (PolygonRing& ring : rings) all.append(array_of(std::move(ring)));
+    return all;
+}
+
 Mask mask_of(const nb::list& polygons, const nb::dict& given) {
     PolygonSets sets(polygons);
     const Domain domain = domain_in(given);
@@ -83,6 +95,7 @@ void add_domains(nb::module_& module) {
         .def_prop_ro("values", truths_of);
     module.def("make_mask", make_mask);
     module.def("read_polygons", polygons_of);
+    module.def("joined", joined_rings);
     module.def("domain_around", domain_of);
     module.def("draw_mask", mask_of);
 }

@@ -187,6 +187,25 @@ def test_rings_of_arrays_and_of_lists_are_drawn_alike() -> None:
     assert (mask == same).all()
 
 
+def test_rings_of_arrays_enclose_what_the_same_rings_of_a_text_do(tmp_path: Path) -> None:
+    corners = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
+    # Two that overlap, a hole within both, and an island that stands there twice.
+    rings = [10 * corners, 5 + 10 * corners, 6 + 3 * corners, 7 + corners, 7 + corners]
+    path = tmp_path / "rings.txt"
+    path.write_text("\n\n".join("\n".join(f"{x} {y}" for x, y in ring) for ring in rings))
+    mask = lacuna.draw_mask(rings, 0.1, domain=(15, 15))
+    assert (mask == lacuna.draw_mask(lacuna.read_polygons(path), 0.1, domain=(15, 15))).all()
+    side = len(mask) / 15
+    for spot, is_inside in ((5.5, True), (6.5, False), (7.5, True), (8.5, False), (9.5, True)):
+        assert mask[int((15 - spot) * side), int(spot * side)] == is_inside
+    for places in ({"inside": rings}, {"outside": rings}, {"avoid": [(rings, 0.5)]}):
+        made = lacuna.sample(0.5, domain=(15, 15), seed=1, **places)  # type: ignore[arg-type]
+        proof = lacuna.verify(made.points, 0.5, domain=(15, 15), **places)  # type: ignore[arg-type]
+        assert proof.maximal
+        middle = (abs(made.points - 5.5) < 0.5).all(axis=1)
+        assert middle.any() == ("inside" in places)
+
+
 def test_polygons_of_geojson_have_no_page(tmp_path: Path) -> None:
     path = tmp_path / "half.geojson"
     path.write_text(

@@ -56,15 +56,21 @@ Mask decode_mask(std::string_view bytes, const std::string& name);
 //                    at most 2^-20 of the page's longer side. Of a path such as map.svg#lakes only
 //                    the element with this id is read, or the only one with this Inkscape label.
 //   .geojson .json   Polygon, MultiPolygon, Feature, FeatureCollection and GeometryCollection;
-//                    coordinates are not converted; points are skipped, and lines refused
-//   .txt             `x y` on each line; a blank line, or one that begins with #, ends a ring. All
-//                    rings are one polygon, by the even-odd rule.
+//                    coordinates are not converted; points are skipped, and lines refused. A
+//                    polygon is its shell less the union of its holes, wherever these lie.
+//   .txt             `x y` on each line; a blank line, or one that begins with #, ends a ring. The
+//                    rings are joined().
 // Polygons of .svg and .geojson become the rings of their union: none runs where two overlap or
 // touch. Corners are rounded to 2^-51 of the largest coordinate.
 // Throws FileError, also where there is no ring, and BadRequest for another extension.
 Polygons read_polygons(const std::string& path);
 // The same for bytes that have been read, of the format "svg", "geojson" or "txt".
 Polygons decode_polygons(std::string_view bytes, std::string_view format, const std::string& name);
+
+// Rings that overlap in part, or are the same, become those of their union. Others stay as they are:
+// a ring in a ring is a hole, and a ring in the hole is an island. Draw these by the even-odd rule,
+// as the functions below do.
+std::vector<PolygonRing> joined(std::vector<PolygonRing> rings);
 
 // Reads lines and points from which samples keep a distance: rings for PolygonSet::distance.
 //   .svg             the outlines of its shapes; an open path is a line
