@@ -58,6 +58,9 @@ class Reader {
 public:
     Reader(const std::string& name, Take take) : name_(name), take_(take) {}
 
+    // What messages name instead of the file.
+    void is_at(const std::string& place) { name_ = place; }
+
     void read(const Json& object, const std::string& place, int depth = 0) {
         if (depth > kDeepestCollections)
             refuse(place, "collections within each other more than 64 deep");
@@ -188,7 +191,7 @@ private:
         return point;
     }
 
-    const std::string& name_;
+    std::string name_;
     Take take_;
     std::vector<Polygon> polygons_;
     std::vector<PolygonRing> lines_;
@@ -196,11 +199,12 @@ private:
 
 }  // namespace
 
-Polygons decode_geojson(std::string_view bytes, const std::string& name, Take take) {
-    bytes = files::without_byte_order_mark(bytes);
-    Json json;
+namespace {
+
+// Throws FileError that names `name`.
+Json parsed(std::string_view bytes, const std::string& name) {
     try {
-        json = Json::parse(Polled(bytes.data()), Polled(bytes.data() + bytes.size()));
+        return Json::parse(Polled(bytes.data()), Polled(bytes.data() + bytes.size()));
     } catch (const Json::parse_error& error) {
         // The parser's own message is not used: it quotes the file, which may hold any bytes.
         files::refuse(
@@ -208,8 +212,43 @@ Polygons decode_geojson(std::string_view bytes, const std::string& name, Take ta
     } catch (const Json::out_of_range&) {
         files::refuse(name, "a number that no double can hold: coordinates must be finite");
     }
+}
+
+// The marks that begin the texts of a sequence in RFC 8142.
+constexpr char kMark = '\x1e';
+
+// Whether each line is a text of its own: the first is whole, and not the only one.
+bool has_texts_in_lines(std::string_view bytes) {
+    std::string_view first;
+    while (!bytes.empty() && files::is_skipped(first)) first = files::take_line(bytes);
+    const bool has_more = bytes.find_first_not_of(" \t\r\n") != std::string_view::npos;
+    return has_more && first.starts_with('{') &&
+           Json::accept(Polled(first.data()), Polled(first.data() + first.size()));
+}
+
+}  // namespace
+
+// A sequence has a text on each line, or after each mark. Messages about it name the line.
+Polygons decode_geojson(std::string_view bytes, const std::string& name, Take take) {
+    bytes = files::without_byte_order_mark(bytes);
     Reader reader(name, take);
-    reader.read(json, "");
+    const bool is_marked = bytes.find(kMark) != std::string_view::npos;
+    if (!is_marked && !has_texts_in_lines(bytes)) {
+        reader.read(parsed(bytes, name), "");
+        return reader.finish();
+    }
+    const char end = is_marked ? kMark : '\n';
+    for (std::size_t line = 1; !bytes.empty();) {
+        const std::string_view text = bytes.substr(0, bytes.find(end));
+        bytes.remove_prefix(std::min(text.size() + 1, bytes.size()));
+        const std::string place = fmt::format("{}:{}", name, line);
+        if (text.find_first_not_of(" \t\r\n") != std::string_view::npos) {
+            reader.is_at(place);
+            reader.read(parsed(text, place), "");
+        }
+        line += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) +
+                (is_marked ? 0 : 1);
+    }
     return reader.finish();
 }
 

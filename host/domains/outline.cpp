@@ -38,6 +38,14 @@ double length(Point a) {
 
 }  // namespace
 
+std::optional<double> Affine::scale() const {
+    constexpr double kRounding = 1e-9;
+    const double along = xx * xx + yx * yx, up = xy * xy + yy * yy;
+    const double most = kRounding * std::max(along, up);
+    if (std::abs(along - up) > most || std::abs(xx * xy + yx * yy) > most) return std::nullopt;
+    return std::sqrt(along);
+}
+
 void Outline::add(Point point) {
     ask_after();
     is_fair_ = is_fair_ && domains::is_fair(point);
@@ -61,7 +69,7 @@ void Outline::end() {
 
 void Outline::close() {
     open(ring_);
-    if (take_ == Take::lines && !ring_.empty())
+    if (take_ != Take::insides && !ring_.empty())
         rings_.push_back(around_and_back(std::move(ring_)));
     else if (ring_.size() >= 3)
         rings_.push_back(std::move(ring_));

@@ -4,6 +4,7 @@
 #include <lacuna/domains.h>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "domains/rings.h"
@@ -17,6 +18,8 @@ struct Affine {
     Point of(Point point) const {
         return {xx * point.x + xy * point.y + x0, yx * point.x + yy * point.y + y0};
     }
+    // The factor of all lengths; none if lengths in some directions grow by others.
+    std::optional<double> scale() const;
     // The map that applies `inner` first and then this one.
     Affine after(const Affine& inner) const {
         const Point origin = of({inner.x0, inner.y0});

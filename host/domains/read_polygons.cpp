@@ -19,7 +19,7 @@
 namespace lacuna {
 namespace {
 
-constexpr std::string_view kAllowed = "must end in .svg, .geojson, .json or .txt";
+constexpr std::string_view kAllowed = "must end in .svg, .svgz, .geojson, .geojsonl, .json or .txt";
 
 Polygons decode_whole_svg(std::string_view bytes, const std::string& name, domains::Take take) {
     return domains::decode_svg(bytes, name, take);
@@ -30,8 +30,10 @@ struct Known {
     Polygons (*decode)(std::string_view bytes, const std::string& name, domains::Take take);
 };
 
-constexpr std::array<Known, 4> kFormats{{{"svg", decode_whole_svg},
+constexpr std::array<Known, 6> kFormats{{{"svg", decode_whole_svg},
+                                         {"svgz", decode_whole_svg},
                                          {"geojson", domains::decode_geojson},
+                                         {"geojsonl", domains::decode_geojson},
                                          {"json", domains::decode_geojson},
                                          {"txt", domains::decode_rings}}};
 
@@ -42,6 +44,10 @@ std::string extension_of(const std::string& path) {
     std::string extension = path.substr(dot + 1);
     std::transform(extension.begin(), extension.end(), extension.begin(), files::lower_case);
     return extension;
+}
+
+bool is_svg(std::string_view format) {
+    return format == "svg" || format == "svgz";
 }
 
 const Known* find(std::string_view format) {
@@ -87,7 +93,7 @@ domains::FileAndLayer domains::file_and_layer(const std::string& path) {
     for (std::size_t sharp = path.find('#'); sharp < path.size() - 1 && !exists(parts.file);
          sharp = path.find('#', sharp + 1)) {
         const FileAndLayer split{path.substr(0, sharp), path.substr(sharp + 1)};
-        if (extension_of(split.file) == "svg" && (parts.layer.empty() || exists(split.file)))
+        if (is_svg(extension_of(split.file)) && (parts.layer.empty() || exists(split.file)))
             parts = split;
     }
     return parts;
@@ -103,6 +109,19 @@ Polygons decode_polygons(std::string_view bytes, std::string_view format, const 
 
 Polygons read_lines(const std::string& path) {
     return read(path, "avoid", domains::Take::lines);
+}
+
+std::vector<domains::Strokes> domains::read_strokes(const std::string& path,
+                                                    const std::string& option) {
+    const auto [file, layer] = file_and_layer(path);
+    if (!is_svg(extension_of(file)))
+        throw BadRequest(option, path + ":stroke",
+                         "must be an .svg, which says how wide its strokes are");
+    const std::string name = files::name_of(file);
+    std::vector<Strokes> all = decode_strokes(files::read_whole(file), name, layer);
+    if (all.empty())
+        files::refuse(name, "no line with a stroke: there must be one, or give FILE:WIDTH");
+    return all;
 }
 
 Polygons decode_lines(std::string_view bytes, std::string_view format, const std::string& name) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace lacuna::domains {
 
@@ -29,7 +30,8 @@ inline void open(PolygonRing& ring) {
 
 // What a reader takes from a file: what lies within its outlines, or the outlines themselves as
 // lines, also where they are open.
-enum class Take { insides, lines };
+// `strokes` is a part of the latter: the lines that are drawn, with their widths.
+enum class Take { insides, lines, strokes };
 
 // The ring that goes along a line and back.
 inline PolygonRing there_and_back(PolygonRing line) {
@@ -53,6 +55,18 @@ FileAndLayer file_and_layer(const std::string& path);
 
 Polygons decode_svg(std::string_view bytes, const std::string& name, Take take,
                     std::string_view layer = {});
+
+// Lines of an .svg that are drawn equally wide. `distance` is half of their width.
+struct Strokes {
+    Polygons lines;
+    double distance;
+};
+std::vector<Strokes> decode_strokes(std::string_view bytes, const std::string& name,
+                                    std::string_view layer = {});
+// Those of FILE.svg or FILE.svg#LAYER. Throws what read_lines() throws, and BadRequest for other
+// files, which names the option.
+std::vector<Strokes> read_strokes(const std::string& path, const std::string& option);
+
 Polygons decode_geojson(std::string_view bytes, const std::string& name, Take take);
 Polygons decode_rings(std::string_view bytes, const std::string& name, Take take);
 

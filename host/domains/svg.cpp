@@ -1,4 +1,4 @@
-// Reads the outlines of an SVG drawing. pugixml ignores entities that a file defines.
+// Reads the outlines of an SVG drawing.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,8 +21,11 @@
 #include "domains/outline.h"
 #include "domains/rings.h"
 #include "domains/svg_element.h"
+#include "domains/svg_inherited.h"
 #include "domains/svg_path.h"
 #include "domains/svg_style.h"
+#include "domains/xml_entities.h"
+#include "files/gzip.h"
 #include "files/parse.h"
 
 namespace lacuna::domains {
@@ -32,18 +35,6 @@ constexpr int kDeepest = 200;
 constexpr double kTolerance = 0x1p-20;             // in lengths of the page's longer side
 constexpr std::size_t kMostElements = 10'000'000;  // an element counts each time it is used
 
-// What an element hands on to those within it.
-struct Inherited {
-    Affine transform;
-    Fill fill;
-    bool is_filled = true;
-    bool is_visible = true;
-    bool is_chosen = true;  // whether the element lies in the layer that is read
-    // An element that changes where its shapes are in a way that is not read, and its property.
-    pugi::xml_node changed{};
-    Property by{};
-};
-
 class Drawing {
 public:
     // Only what `layer`, an id or Inkscape's label, contains is read; all if it is empty.
@@ -52,27 +43,39 @@ public:
         : name_(name),
           page_(page),
           take_(take),
-          outline_(kTolerance * std::max(page.width, page.height), take) {
+          outline_(kTolerance * std::max(page.width, page.height), take),
+          sheets_(take == Take::strokes) {
         remember(root);
         if (layer.empty()) return;
         layer_ = find_layer(name, root, layer);
         for (pugi::xml_node node = layer_; node; node = node.parent()) around_.push_back(node);
     }
 
-    Polygons draw(pugi::xml_node root) {
+    void draw(pugi::xml_node root) {
         // The y axis is reversed, because y points down on an SVG page.
         const Affine upright{1, 0, 0, -1, -page_.left, page_.top + page_.height};
         const Style style = sheets_.style_of(root);
-        Inherited here = inherited(root, style, {upright, Fill::nonzero});
+        const SvgElement element(name_, root);
+        Inherited here = inherited(element, style, {upright, Fill::nonzero}, take_);
         here.is_chosen = layer_.empty() || layer_ == root;
         for (const Property property :
              {Property::transform, Property::translate, Property::rotate, Property::scale})
             if (!is_none(style.of(property)))
-                refuse(root, fmt::format("{} {} of the whole drawing: must stand in a group",
-                                         name_of(property), files::excerpt(style.of(property))));
-        if (is_drawn(root, style)) draw_children(root, here, 0);
-        return {take_ == Take::lines ? std::move(lines_) : join(std::move(polygons_)),
+                element.refuse(fmt::format("{} {} of the whole drawing: must stand in a group",
+                                           name_of(property), files::excerpt(style.of(property))));
+        if (is_drawn(element, style)) draw_children(root, here, 0);
+    }
+
+    Polygons polygons() && {
+        return {take_ == Take::lines ? std::move(lines_[0]) : join(std::move(polygons_)),
                 Domain{page_.width, page_.height}};
+    }
+
+    std::vector<Strokes> strokes() && {
+        std::vector<Strokes> all;
+        for (auto& [distance, lines] : lines_)
+            all.push_back({{std::move(lines), Domain{page_.width, page_.height}}, distance});
+        return all;
     }
 
 private:
@@ -87,7 +90,8 @@ private:
             bool for_each(pugi::xml_node& node) override {
                 const std::string_view id = node.attribute("id").value();
                 if (!id.empty()) drawing->by_id_.emplace(id, node);
-                if (local_name(node.name()) == "style") drawing->read_sheet(node);
+                if (local_name(node.name()) == "style" && !svg_name(drawing->name_, node).empty())
+                    drawing->read_sheet(node);
                 return true;
             }
         } walker;
@@ -116,61 +120,6 @@ private:
         for (const pugi::xml_node node : parent.children()) draw_node(node, inherited, depth);
     }
 
-    // The value of a property whose other values are read as if it were not given.
-    std::string_view one_of(pugi::xml_node node, const Style& style, Property property,
-                            std::initializer_list<std::string_view> values) const {
-        const std::string& value = style.of(property);
-        if (value.empty() || value == "inherit" || value == "initial" || value == "unset")
-            return value;
-        const auto* const found = std::find(values.begin(), values.end(), value);
-        if (found == values.end())
-            refuse(node, fmt::format("{} {}: must be {}", name_of(property), files::excerpt(value),
-                                     fmt::join(values, ", ")));
-        return *found;
-    }
-
-    static bool is_none(std::string_view value) {
-        return value.empty() || value == "none" || value == "initial" || value == "unset";
-    }
-
-    // Whether an element and what is in it may be drawn at all.
-    bool is_drawn(pugi::xml_node node, const Style& style) const {
-        if (node.attribute("requiredExtensions")) return false;
-        if (node.attribute("systemLanguage"))
-            refuse(node, "systemLanguage: what depends on the reader's language is not read");
-        const std::string& display = style.of(Property::display);
-        if (display.find('(') != std::string::npos)
-            refuse(node, fmt::format("display {}: must be a word", files::excerpt(display)));
-        std::string_view opacity = style.of(Property::opacity);
-        double value = 1;
-        const bool is_number = files::take_number(opacity, value) == std::errc{};
-        return display != "none" && !(is_number && value <= 0);
-    }
-
-    // What an element hands on, with its own transform.
-    Inherited inherited(pugi::xml_node node, const Style& style, const Inherited& outer) const {
-        Inherited here = outer;
-        const std::string_view rule =
-            one_of(node, style, Property::fill_rule, {"nonzero", "evenodd"});
-        if (rule == "evenodd") here.fill = Fill::even_odd;
-        if (rule == "nonzero" || rule == "initial") here.fill = Fill::nonzero;
-        const std::string_view visibility =
-            one_of(node, style, Property::visibility, {"visible", "hidden", "collapse"});
-        if (visibility == "hidden" || visibility == "collapse") here.is_visible = false;
-        if (visibility == "visible" || visibility == "initial") here.is_visible = true;
-        const std::string& fill = style.of(Property::fill);
-        if (!fill.empty() && fill != "inherit" && fill != "unset") here.is_filled = fill != "none";
-        for (const Property property :
-             {Property::clip_path, Property::mask, Property::mask_image, Property::filter,
-              Property::transform_origin, Property::transform_box, Property::translate,
-              Property::rotate, Property::scale, Property::offset_path, Property::all})
-            if (!is_none(style.of(property))) {
-                here.changed = node;
-                here.by = property;
-            }
-        return here;
-    }
-
     void move(pugi::xml_node node, const Style& style, Affine& transform) const {
         const bool is_attribute = style.is_attribute(Property::transform);
         const std::string& value = style.of(Property::transform);
@@ -183,13 +132,14 @@ private:
 
     void draw_node(pugi::xml_node node, const Inherited& outer, int depth) {
         if (node.type() != pugi::node_element) return;
-        const std::string_view kind = local_name(node.name());
+        const std::string_view kind = svg_name(name_, node);
         const bool is_group = kind == "g" || kind == "a" || kind == "switch";
         const bool is_nested = kind == "svg" || (kind == "symbol" && depth_of_use_ > 0);
         if (!is_group && !is_nested && kind != "use" && kind != "line" && !is_shape(kind)) return;
         if (!is_about_layer(node, outer)) return;
         const Style style = sheets_.style_of(node);
-        if (!is_drawn(node, style)) return;
+        const SvgElement element(name_, node);
+        if (!is_drawn(element, style)) return;
         if (depth > kDeepest)
             refuse(node, fmt::format("more than {} elements within each other, or a use of itself",
                                      kDeepest));
@@ -200,7 +150,7 @@ private:
             refuse(node,
                    "is not read within another drawing: its outlines must stand in the outer "
                    "one, or in a group");
-        Inherited here = inherited(node, style, outer);
+        Inherited here = inherited(element, style, outer, take_);
         if (node == layer_) here.is_chosen = true;
         move(node, style, here.transform);
         if (kind == "switch") return draw_first(node, here, depth + 1);
@@ -211,12 +161,14 @@ private:
 
     void draw_visible(pugi::xml_node node, std::string_view kind, const Style& style,
                       const Inherited& here) {
+        const SvgElement element(name_, node);
+        const double half = take_ == Take::strokes ? half_of_stroke(element, style, here) : 0;
+        if (take_ == Take::strokes && half == 0) return;
         if (here.changed)
             refuse(here.changed,
                    fmt::format("{} is not read, and changes where a shape is: cut or move the "
                                "shape itself",
                                name_of(here.by)));
-        const SvgElement element(name_, node);
         element.check_sizes(style);
         outline_.set_transform(here.transform);
         element.draw(outline_);
@@ -225,7 +177,7 @@ private:
             refuse(node,
                    "a line, which encloses nothing: it must be closed or filled, or be given to "
                    "--avoid");
-        take_shape(here.fill);
+        take_shape(here.fill, half);
         if (!outline_.is_fair())
             refuse(node,
                    "reaches too far: coordinates must be finite numbers between -1e100 and "
@@ -241,17 +193,16 @@ private:
                 return draw_node(node, here, depth);
     }
 
-    void take_shape(Fill fill) {
+    void take_shape(Fill fill, double half) {
         std::vector<PolygonRing> rings = outline_.take_rings();
-        if (take_ == Take::lines)
-            std::move(rings.begin(), rings.end(), std::back_inserter(lines_));
+        if (take_ != Take::insides)
+            std::move(rings.begin(), rings.end(), std::back_inserter(lines_[half]));
         else if (!rings.empty())
             polygons_.push_back({std::move(rings), fill});
     }
 
     void draw_used(pugi::xml_node node, Inherited inherited, int depth) {
-        std::string_view link = node.attribute("href").value();
-        if (link.empty()) link = node.attribute("xlink:href").value();
+        const std::string_view link = link_of(node);
         const auto found = link.starts_with('#') ? by_id_.find(link.substr(1)) : by_id_.end();
         if (found == by_id_.end())
             refuse(node, fmt::format("uses {}: must be # and the id of an element of this file",
@@ -269,7 +220,7 @@ private:
     Take take_;
     Outline outline_;
     std::vector<Polygon> polygons_;
-    std::vector<PolygonRing> lines_;
+    std::map<double, std::vector<PolygonRing>> lines_;  // by half of the width of their strokes
     std::map<std::string_view, pugi::xml_node> by_id_;
     pugi::xml_node layer_{};
     std::vector<pugi::xml_node> around_;  // the layer and the elements that contain it
@@ -278,13 +229,15 @@ private:
     int depth_of_use_ = 0;
 };
 
-}  // namespace
-
-Polygons decode_svg(std::string_view bytes, const std::string& name, Take take,
-                    std::string_view layer) {
-    pugi::xml_document document;
+// The drawing in a file, with its outlines.
+Drawing drawn(std::string_view bytes, const std::string& name, Take take, std::string_view layer,
+              pugi::xml_document& document) {
+    constexpr std::size_t kMostUnpacked = 1U << 28U;
+    const std::string unpacked =
+        files::is_gzip(bytes) ? files::unpacked_gzip(bytes, name, kMostUnpacked) : "";
+    const std::string xml = with_entities(unpacked.empty() ? bytes : unpacked, name);
     const pugi::xml_parse_result parsed =
-        document.load_buffer(bytes.data(), bytes.size(), pugi::parse_default | pugi::parse_pi);
+        document.load_buffer(xml.data(), xml.size(), pugi::parse_default | pugi::parse_pi);
     if (!parsed)
         files::refuse(name, fmt::format("byte {}: cannot be read as XML ({}); is the file whole?",
                                         parsed.offset, parsed.description()));
@@ -292,10 +245,28 @@ Polygons decode_svg(std::string_view bytes, const std::string& name, Take take,
         if (node.type() == pugi::node_pi && std::string_view(node.name()) == "xml-stylesheet")
             files::refuse(name, "<?xml-stylesheet?>: other files with styles are not read");
     const pugi::xml_node svg = document.document_element();
-    if (local_name(svg.name()) != "svg")
-        files::refuse(name, fmt::format("the outermost element is <{}>: must be <svg>",
-                                        files::excerpt(svg.name())));
-    return Drawing(name, svg, page_of(name, svg), take, layer).draw(svg);
+    if (svg_name(name, svg) != "svg")
+        files::refuse(name,
+                      fmt::format("the outermost element is <{}>{}: must be <svg>",
+                                  files::excerpt(svg.name()),
+                                  local_name(svg.name()) == "svg" ? " of another namespace" : ""));
+    Drawing drawing(name, svg, page_of(name, svg), take, layer);
+    drawing.draw(svg);
+    return drawing;
+}
+
+}  // namespace
+
+Polygons decode_svg(std::string_view bytes, const std::string& name, Take take,
+                    std::string_view layer) {
+    pugi::xml_document document;
+    return drawn(bytes, name, take, layer, document).polygons();
+}
+
+std::vector<Strokes> decode_strokes(std::string_view bytes, const std::string& name,
+                                    std::string_view layer) {
+    pugi::xml_document document;
+    return drawn(bytes, name, Take::strokes, layer, document).strokes();
 }
 
 }  // namespace lacuna::domains

@@ -16,11 +16,48 @@
 #include "files/parse.h"
 
 namespace lacuna::domains {
+namespace {
+
+constexpr std::string_view kXlink = "http://www.w3.org/1999/xlink";
+
+}  // namespace
 
 std::string_view local_name(const char* name) {
     const std::string_view all = name;
     const std::size_t colon = all.find(':');
     return colon == std::string_view::npos ? all : all.substr(colon + 1);
+}
+
+std::optional<std::string_view> namespace_of(pugi::xml_node node, std::string_view prefix) {
+    const std::string key = prefix.empty() ? "xmlns" : fmt::format("xmlns:{}", prefix);
+    for (; node; node = node.parent())
+        if (const pugi::xml_attribute found = node.attribute(key.c_str())) return found.value();
+    return std::nullopt;
+}
+
+std::string_view svg_name(const std::string& file, pugi::xml_node node) {
+    const std::string_view whole = node.name();
+    const std::string_view name = local_name(node.name());
+    const std::string_view prefix =
+        whole.substr(0, whole.size() - name.size() - (name.size() < whole.size() ? 1 : 0));
+    const std::optional<std::string_view> space = namespace_of(node, prefix);
+    if (!space && !prefix.empty())
+        SvgElement(file, node)
+            .refuse(
+                fmt::format("no xmlns:{} says what namespace it is of", files::excerpt(prefix)));
+    return !space || *space == "http://www.w3.org/2000/svg" ? name : std::string_view();
+}
+
+std::string_view link_of(pugi::xml_node node) {
+    if (const pugi::xml_attribute plain = node.attribute("href")) return plain.value();
+    for (const pugi::xml_attribute one : node.attributes()) {
+        const std::string_view whole = one.name();
+        if (!whole.ends_with(":href")) continue;
+        const std::string_view prefix = whole.substr(0, whole.size() - 5);
+        if (namespace_of(node, prefix).value_or(prefix == "xlink" ? kXlink : "") == kXlink)
+            return one.value();
+    }
+    return {};
 }
 
 std::optional<double> pixels_of(std::string_view text) {

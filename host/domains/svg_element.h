@@ -14,6 +14,13 @@ namespace lacuna::domains {
 // The name without a namespace prefix.
 std::string_view local_name(const char* name);
 
+// The namespace that a prefix, or none, stands for in an element. Empty if it is not declared.
+std::optional<std::string_view> namespace_of(pugi::xml_node node, std::string_view prefix);
+
+// The name of an element of SVG, and an empty one for an element of another namespace. Without any
+// namespace a file is taken for SVG. Throws FileError, which names `file`, for an unknown prefix.
+std::string_view svg_name(const std::string& file, pugi::xml_node node);
+
 // The viewBox, or the width and height of an <svg>.
 struct SvgPage {
     double left;
@@ -23,6 +30,9 @@ struct SvgPage {
 };
 // Throws FileError, which names `file`.
 SvgPage page_of(const std::string& file, pugi::xml_node svg);
+
+// What `use` draws: its href, which may be one of XLink.
+std::string_view link_of(pugi::xml_node node);
 
 // A length in px, which is 1/96 of an inch.
 std::optional<double> pixels_of(std::string_view text);
@@ -39,6 +49,7 @@ public:
     // `file` is named in messages, and must outlive the element.
     SvgElement(const std::string& file, pugi::xml_node node) : file_(file), node_(node) {}
 
+    pugi::xml_node node() const { return node_; }
     // Throws FileError that names the file and the element.
     [[noreturn]] void refuse(const std::string& why) const;
     void check(const std::optional<std::string>& wrong) const {

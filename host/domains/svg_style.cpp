@@ -1,4 +1,4 @@
-// Reads the declarations of CSS, as far as they decide where a shape is.
+// Reads the declarations of CSS, as far as they decide where a shape is and how wide its stroke is.
 #include "domains/svg_style.h"
 
 #include <algorithm>
@@ -12,19 +12,36 @@ namespace {
 
 constexpr std::size_t kProperties = static_cast<std::size_t>(Property::count);
 
-constexpr std::array<std::string_view, kProperties> kNames{"display",    "visibility",
-                                                           "opacity",    "fill",
-                                                           "fill-rule",  "transform",
-                                                           "clip-path",  "mask",
-                                                           "filter",     "transform-origin",
-                                                           "mask-image", "transform-box",
-                                                           "translate",  "rotate",
-                                                           "scale",      "offset-path",
-                                                           "all",        "d",
-                                                           "x",          "y",
-                                                           "width",      "height",
-                                                           "cx",         "cy",
-                                                           "r",          "rx",
+constexpr std::array<std::string_view, kProperties> kNames{"display",
+                                                           "visibility",
+                                                           "opacity",
+                                                           "fill",
+                                                           "fill-rule",
+                                                           "transform",
+                                                           "clip-path",
+                                                           "mask",
+                                                           "filter",
+                                                           "transform-origin",
+                                                           "stroke",
+                                                           "stroke-width",
+                                                           "stroke-opacity",
+                                                           "vector-effect",
+                                                           "mask-image",
+                                                           "transform-box",
+                                                           "translate",
+                                                           "rotate",
+                                                           "scale",
+                                                           "offset-path",
+                                                           "all",
+                                                           "d",
+                                                           "x",
+                                                           "y",
+                                                           "width",
+                                                           "height",
+                                                           "cx",
+                                                           "cy",
+                                                           "r",
+                                                           "rx",
                                                            "ry"};
 
 constexpr std::string_view kBlanks = " \t\n\r\f";
@@ -91,6 +108,10 @@ std::optional<Property> property_of(std::string_view name) {
     return static_cast<Property>(found - kNames.begin());
 }
 
+bool is_of_stroke(Property property) {
+    return property >= Property::stroke && property <= Property::vector_effect;
+}
+
 bool is_in_name(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_' || static_cast<unsigned char>(c) >= 128;
@@ -112,14 +133,14 @@ void Style::give(Property property, std::string_view value, const Rank& rank) {
     if (given.value.empty() || given.rank <= rank) given = {lower(trimmed(value)), rank};
 }
 
-std::vector<StyleSheets::Declaration> StyleSheets::declarations_of(std::string_view text) {
+std::vector<StyleSheets::Declaration> StyleSheets::declarations_of(std::string_view text) const {
     std::vector<Declaration> all;
     while (!text.empty()) {
         const std::string_view part = take_part(text, ';');
         const std::size_t colon = part.find(':');
         if (colon == std::string_view::npos) continue;
         const auto property = property_of(trimmed(part.substr(0, colon)));
-        if (!property) continue;
+        if (!property || (!with_strokes_ && is_of_stroke(*property))) continue;
         std::string_view value = trimmed(part.substr(colon + 1));
         const std::size_t mark = find_outside(value, "!");
         const bool is_important =

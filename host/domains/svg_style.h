@@ -25,6 +25,10 @@ enum class Property : std::size_t {
     mask,
     filter,
     transform_origin,
+    stroke,  // this and the next three only with the widths of strokes
+    stroke_width,
+    stroke_opacity,
+    vector_effect,
     end_of_attributes,
     mask_image = end_of_attributes,
     transform_box,
@@ -79,6 +83,9 @@ public:
     // Called with what cannot be read; does not return.
     using Refuse = std::function<void(const std::string& why)>;
 
+    // Without strokes their properties are skipped, and so are rules that set nothing else.
+    explicit StyleSheets(bool with_strokes) : with_strokes_(with_strokes) {}
+
     // Reads the rules of a <style>. Selectors of an element, of classes and of an id are read.
     // Refuses others, and conditions such as @media, if they concern properties that are read.
     void read(std::string_view css, const Refuse& refuse);
@@ -101,10 +108,11 @@ private:
         std::vector<Declaration> declarations;
     };
 
-    static std::vector<Declaration> declarations_of(std::string_view text);
+    std::vector<Declaration> declarations_of(std::string_view text) const;
     static bool read_selector(std::string_view text, Selector& selector);
     static bool fits(const Selector& selector, pugi::xml_node node);
 
+    bool with_strokes_;
     std::vector<Rule> rules_;
 };
 

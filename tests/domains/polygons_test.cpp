@@ -116,6 +116,25 @@ TEST(GeoJson, IsRefusedByPlaceAndValue) {
             ": no polygon: there must be at least one, of three points or more");
 }
 
+// One text on each line, or after each mark of RFC 8142.
+TEST(GeoJson, MayBeASequenceOfTexts) {
+    const std::string one = polygon(kTriangle), other = polygon("[[5,0],[9,0],[5,4],[5,0]]");
+    const std::string feature = R"({"type":"Feature","geometry":)" + other + "}";
+    for (const std::string& text :
+         {one + "\n" + other + "\n", one + "\r\n\r\n" + feature, "\n" + one + "\n" + other,
+          "\x1e" + one + "\n\x1e" + feature + "\n", "\x1e{\n" + one.substr(1) + "\x1e" + other,
+          "\xef\xbb\xbf" + one + "\n" + other})
+        for (const char* format : {"json", "geojson", "geojsonl"})
+            EXPECT_EQ(rings_of(text, format).size(), 2U) << text;
+    EXPECT_EQ(rings_of(one + "\n", "geojson"), kTriangles);
+    EXPECT_EQ(refusal_of(one + "\n" + other + "\n{\"type\":3}", "geojson"),
+              "file:3: type: \"3\": must be a word, such as Polygon");
+    EXPECT_EQ(refusal_of(one + "\n{\"ty", "geojson"),
+              "file:2: byte 5: cannot be read as JSON; is the file whole?");
+    EXPECT_EQ(refusal_of("\x1e" + one + "\n\x1e\n{}", "geojson"),
+              "file:2: an object without \"type\": must be GeoJSON");
+}
+
 TEST(GeoJson, NestedWithoutEndIsRefused) {
     std::string bytes;
     for (int i = 0; i < 200'000; ++i) bytes += R"({"type":"GeometryCollection","geometries":[)";
@@ -136,7 +155,8 @@ TEST(Polygons, AreReadByExtensionOfAnyCase) {
         FAIL();
     } catch (const BadRequest& error) {
         EXPECT_STREQ(error.what(),
-                     "inside folder.svg/map.shp: must end in .svg, .geojson, .json or .txt");
+                     "inside folder.svg/map.shp: must end in .svg, .svgz, .geojson, .geojsonl, "
+                     ".json or .txt");
     }
     EXPECT_THROW(read_polygons("no such file.svg"), FileError);
 }
