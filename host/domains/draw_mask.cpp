@@ -10,9 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -84,10 +82,6 @@ struct Extent {
         return least.x >= 0 && least.y >= 0 && least.x <= most.x - least.x &&
                least.y <= most.y - least.y;
     }
-    bool meets(const Domain& domain) const {
-        return least.x < domain.x0 + domain.width && most.x >= domain.x0 &&
-               least.y < domain.y0 + domain.height && most.y >= domain.y0;
-    }
     std::string text() const {
         return fmt::format("[{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]", least.x, most.x, least.y,
                            most.y);
@@ -98,10 +92,6 @@ Extent extent_of(std::span<const PolygonSet> sets) {
     Extent all;
     for (const PolygonSet& set : sets) all.add(set, set.near ? set.distance : 0);
     return all;
-}
-
-bool is_allowed(const PolygonSet& set) {
-    return !set.forbidden && !set.near;
 }
 
 std::string option_of(const PolygonSet& set) {
@@ -120,34 +110,6 @@ void check(const PolygonSet& set) {
                                  fmt::format("({}, {}): {}", point.x, point.y, domains::kFair));
 }
 
-[[noreturn]] void refuse_empty(std::span<const PolygonSet> sets, const Domain& domain,
-                               double edge) {
-    std::vector<PolygonSet> allowed;
-    std::copy_if(sets.begin(), sets.end(), std::back_inserter(allowed), is_allowed);
-    const bool has_forbidden = allowed.size() != sets.size();
-    const std::string all = "the domain, " + extent_of(domain, ')');
-    std::size_t rings = 0;
-    for (const PolygonSet& set : allowed.empty() ? sets : allowed) rings += set.rings.size();
-    const std::string count = fmt::format("{} ring{}", rings, rings == 1 ? "" : "s");
-    if (allowed.empty() && sets.front().near)
-        throw BadRequest(
-            "near", fmt::format("a distance of {}", sets.front().distance),
-            fmt::format("must reach some of {}, and be over the edge, {:.3g}", all, edge));
-    if (allowed.empty())
-        throw BadRequest(
-            option_of(sets.front()), count,
-            fmt::format("must leave some of {} open, wider than twice the edge, {:.3g}", all,
-                        edge));
-    const double distance = allowed.front().distance;
-    const std::string within =
-        distance == 0 ? "" : fmt::format(", at least {:.3g} from its outline", distance);
-    throw BadRequest(
-        option_of(allowed.front()), fmt::format("{} in {}", count, extent_of(allowed).text()),
-        fmt::format("must enclose some of {}{}{}, and be wider than twice the edge, {:.3g}", all,
-                    has_forbidden ? ", that --outside, --avoid and --near leave open" : "", within,
-                    edge));
-}
-
 // What a mask needs of the sets once they are drawn.
 std::shared_ptr<const DrawnMask> drawn(std::span<const PolygonSet> sets,
                                        const domains::Canvas& canvas, MaskTree tree) {
@@ -163,9 +125,9 @@ std::shared_ptr<const DrawnMask> drawn(std::span<const PolygonSet> sets,
                                .forbidden = set.forbidden,
                                .distance = set.distance,
                                .near = set.near});
-    const auto mask = std::make_shared<DrawnMask>(DrawnMask{std::move(tree), {}});
+    const auto mask = std::make_shared<DrawnMask>(DrawnMask{std::move(tree), {}, {}});
     const MaskTree* const pixels = &mask->tree;
-    mask->holds = [owned, pixels, canvas](Point at) {
+    const auto holds = [owned, pixels, canvas](Point at, bool may_touch) {
         const auto pixel = [](double share, std::uint32_t count) {
             return static_cast<std::uint32_t>(std::clamp(share * count, 0.0, count - 1.0));
         };
@@ -174,9 +136,23 @@ std::shared_ptr<const DrawnMask> drawn(std::span<const PolygonSet> sets,
         const Point way = domain.from_corner(at);
         return pixels->at(pixel(way.x / domain.width, canvas.columns),
                           pixel(way.y / domain.height, canvas.rows)) != ALLOWED_NONE ||
-               domains::allow(owned->sets, at);
+               domains::allow(owned->sets, at, may_touch);
     };
+    mask->holds = [holds](Point at) { return holds(at, false); };
+    mask->keeps = [holds](Point at) { return holds(at, true); };
     return mask;
+}
+
+// The box itself, or a larger square with the same corner if the box is so small and so far from 0
+// that its corner would be refused. The square's side is a power of two.
+Domain large_enough(Domain box) {
+    constexpr double kSpare = 1.01;  // for sums of corner and side, which are rounded
+    const double least = kSpare * std::max(std::abs(box.x0), std::abs(box.y0)) / kFarthestCorner;
+    if (box.longer_side() * kSpare >= least) return box;
+    int exponent = 0;
+    std::frexp(least, &exponent);
+    box.width = box.height = std::ldexp(1, exponent);
+    return box;
 }
 
 }  // namespace
@@ -190,38 +166,21 @@ Domain domain_around(std::span<const PolygonSet> sets) {
                      .height = all.most.y - all.least.y,
                      .x0 = all.least.x,
                      .y0 = all.least.y};
-    if (box.shorter_side() > 0) return box;
+    if (box.shorter_side() > 0) return large_enough(box);
     throw BadRequest("domain", "missing",
                      fmt::format("the places given lie in {}, which has no area: give a domain "
                                  "that has one",
                                  all.text()));
 }
 
-void check_places(std::span<const PolygonSet> sets, const Domain& domain) {
-    // The disks of a .csv are sets of one file, and only all of them together must lie there.
-    std::map<std::pair<std::string, std::string>, Extent> files;
-    for (const PolygonSet& set : sets) {
-        check(set);
-        files[{option_of(set), set.name}].add(set, set.forbidden || set.near ? set.distance : 0);
-    }
-    for (const auto& [file, extent] : files)
-        if (!extent.meets(domain))
-            throw BadRequest(file.first, file.second.empty() ? "all of it" : file.second,
-                             fmt::format("lies in {}, and must not lie wholly outside of the "
-                                         "domain, {}",
-                                         extent.text(), extent_of(domain, ')')));
-}
-
 Mask draw_places(std::span<const PolygonSet> sets, const Domain& domain, double edge,
                  std::uint64_t memory_limit_bytes) {
     const domains::Canvas canvas = canvas_of(domain, edge);
-    check_places(sets, domain);
+    for (const PolygonSet& set : sets) check(set);
     const std::uint64_t most = memory_limit_bytes != 0 ? memory_limit_bytes : files::most_bytes();
     std::optional<MaskTree> tree =
         domains::draw_tree(sets, canvas, static_cast<std::size_t>(most / sizeof(MaskTree::Node)));
     if (!tree) refuse_memory(edge, "more memory", static_cast<double>(most), 2 * edge);
-    if (tree->over({0, canvas.columns - 1}, {0, canvas.rows - 1}) == ALLOWED_NONE)
-        refuse_empty(sets, domain, edge);
     return {canvas.columns, canvas.rows, {}, drawn(sets, canvas, std::move(*tree))};
 }
 

@@ -394,6 +394,14 @@ private:
     std::vector<std::uint32_t> left_;
 };
 
+// How far off a distance may be because coordinates are doubles.
+double rounding_of(Point a, Point b, Point c) {
+    double largest = 0;
+    for (const Point point : {a, b, c})
+        largest = std::max({largest, std::abs(point.x), std::abs(point.y)});
+    return 0x1p-51 * largest;
+}
+
 }  // namespace
 
 std::optional<MaskTree> draw_tree(std::span<const PolygonSet> sets, const Canvas& canvas,
@@ -401,25 +409,29 @@ std::optional<MaskTree> draw_tree(std::span<const PolygonSet> sets, const Canvas
     return Drawer(sets, canvas, most_nodes).draw();
 }
 
-bool allow(std::span<const PolygonSet> sets, Point at) {
+bool allow(std::span<const PolygonSet> sets, Point at, bool may_touch) {
     bool has_inside = false, is_allowed = false, has_near = false, is_near = false;
     for (const PolygonSet& set : sets) {
         has_inside |= !set.forbidden && !set.near;
         has_near |= set.near;
-        bool is_inside = false, is_too_near = false, is_within = false;
+        bool is_inside = false, is_too_near = false, is_within = false, is_on_edge = false;
         for (const PolygonRing& ring : set.rings)
             for (std::size_t i = 0; i < ring.size(); ++i) {
                 const Point from = ring[i], to = ring[(i + 1) % ring.size()];
-                const double squared = squared_distance(at, {from, to, 0, 0, 0});
-                is_too_near |= squared < set.distance * set.distance;
-                is_within |= squared <= set.distance * set.distance;
+                const double away = squared_distance(at, {from, to, 0, 0, 0});
+                const double rounding = may_touch ? rounding_of(at, from, to) : 0;
+                const double least = std::max(0.0, set.distance - rounding);
+                const double most = set.distance + rounding;
+                is_on_edge |= may_touch && away <= rounding * rounding;
+                is_too_near |= away < least * least;
+                is_within |= away <= most * most;
                 if ((from.y > at.y) == (to.y > at.y)) continue;
                 is_inside ^= at.x < from.x + (at.y - from.y) / (to.y - from.y) * (to.x - from.x);
             }
         is_near |= set.near && is_within;
         if (set.near) continue;
-        if (set.forbidden && (is_inside || is_too_near)) return false;
-        is_allowed |= !set.forbidden && is_inside && !is_too_near;
+        if (set.forbidden && ((is_inside && !is_on_edge) || is_too_near)) return false;
+        is_allowed |= !set.forbidden && (is_inside || is_on_edge) && !is_too_near;
     }
     return (is_allowed || !has_inside) && (is_near || !has_near);
 }

@@ -25,7 +25,8 @@ struct Canvas {
 std::optional<MaskTree> draw_tree(std::span<const PolygonSet> sets, const Canvas& canvas,
                                   std::size_t most_nodes);
 
-// Whether samples may lie at a position, computed in double from all edges.
-bool allow(std::span<const PolygonSet> sets, Point at);
+// Whether samples may lie at a position, computed in double from all edges. If it `may_touch`, they
+// may lie on edges and at distances, too, as far as coordinates in double can say that they do.
+bool allow(std::span<const PolygonSet> sets, Point at, bool may_touch = false);
 
 }  // namespace lacuna::domains

@@ -77,7 +77,7 @@ Paths combined(ClipperLib::ClipType kind, const Paths& a, const Paths& b) {
     return all;
 }
 
-// The rings of one polygon or file, of which those that overlap are put into one group.
+// The rings of one polygon or file. Rings that overlap are put into one group.
 class RingGroups {
 public:
     explicit RingGroups(std::vector<PolygonRing> rings)
@@ -152,7 +152,7 @@ private:
     RingPairs met_;
     std::vector<std::size_t> group_;  // of each ring a lower one of its group, or itself
     int exponent_ = 0;
-    // Of no ring if none meet.
+    // For each ring. Both are empty if no rings meet.
     Paths whole_;
     std::vector<Box> boxes_;
 };
@@ -209,7 +209,8 @@ std::vector<PolygonRing> joined(std::vector<PolygonRing> given) {
     // Points and lines enclose nothing.
     const auto lines = std::stable_partition(
         given.begin(), given.end(), [](const PolygonRing& ring) { return ring.size() > 2; });
-    std::vector<PolygonRing> all(std::move_iterator(lines), std::move_iterator(given.end()));
+    std::vector<PolygonRing> all(std::make_move_iterator(lines),
+                                 std::make_move_iterator(given.end()));
     given.erase(lines, given.end());
     domains::RingGroups rings(std::move(given));
     for (const auto& [a, b] : rings.met())

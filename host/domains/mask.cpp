@@ -1,7 +1,6 @@
 // Makes masks from pictures.
 #include <lacuna/domains.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -30,10 +29,6 @@ Mask decode_mask(std::string_view bytes, const std::string& name) {
     mask.allowed.resize(image.luminance.size());
     for_each_polled(image.luminance.size(), ask,
                     [&](std::size_t i) { mask.allowed[i] = image.luminance[i] == 0 ? 0 : 1; });
-    if (std::find(mask.allowed.begin(), mask.allowed.end(), 1) == mask.allowed.end())
-        files::refuse(name,
-                      "black or transparent all over: as a mask it must allow samples "
-                      "somewhere, on pixels that are not 0");
     return mask;
 }
 

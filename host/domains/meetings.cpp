@@ -1,5 +1,5 @@
 // Finds where outlines meet by halving a box until it has the edges of one ring alone, or few. So
-// the time follows the number of edges that lie near to those of other rings.
+// the time grows with the number of edges near which another ring has edges.
 #include "domains/meetings.h"
 
 #include <algorithm>

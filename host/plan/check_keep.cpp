@@ -70,7 +70,7 @@ bool holds_way(const Request& request, Point point, Point way) {
 }
 
 bool is_allowed(const Request& request, const Mask& mask, Point point) {
-    if (mask.drawn) return mask.drawn->holds(point);
+    if (mask.drawn) return mask.drawn->keeps(point);
     bool allowed = false;
     for_pixels_at(request, point, mask.columns, mask.rows,
                   [&](std::size_t pixel) { allowed |= mask.allowed[pixel] != 0; });

@@ -7,7 +7,10 @@
 #include "base/number_text.h"
 #include "base/polling.h"
 #include "plan/checked_request.h"
+#include "plan/corner.h"
 #include "plan/kept.h"
+#include "plan/mask_tree.h"
+#include "plan/sheets.h"
 
 namespace lacuna {
 namespace {
@@ -18,12 +21,6 @@ void check_mask(const Mask& mask) {
     if (mask.allowed.size() != std::size_t{mask.columns} * mask.rows || mask.allowed.empty())
         throw BadRequest("mask", size + " with " + std::to_string(mask.allowed.size()) + " values",
                          "needs columns * rows values, at least one");
-    bool is_zero = true;
-    for_each_polled(mask.allowed.size(), ask,
-                    [&](std::size_t i) { is_zero &= mask.allowed[i] == 0; });
-    if (is_zero)
-        throw BadRequest("mask", size + " of zeros",
-                         "samples must be allowed somewhere: some value must not be 0");
 }
 
 // `value` is the border as a message shows it.
@@ -56,6 +53,24 @@ void check_places_of_classes(const Request& request) {
 
 }  // namespace
 
+bool allows_some(const Mask& mask) {
+    if (mask.drawn) {
+        const MaskTree& tree = mask.drawn->tree;
+        return tree.over({0, tree.columns() - 1}, {0, tree.rows() - 1}) != ALLOWED_NONE;
+    }
+    bool is_zero = true;
+    for_each_polled(mask.allowed.size(), ask,
+                    [&](std::size_t i) { is_zero &= mask.allowed[i] == 0; });
+    return !is_zero;
+}
+
+bool has_places(const Request& request) {
+    for (std::size_t i = 0; i < std::max<std::size_t>(request.classes.names.size(), 1); ++i)
+        if (const Mask* mask = mask_of(request, i); mask == nullptr || allows_some(*mask))
+            return true;
+    return false;
+}
+
 void check_where(const Request& request) {
     const std::string mode = "with mode " + std::string(name_of(request.mode));
     const bool exact = request.mode == Mode::exact;
@@ -66,6 +81,10 @@ void check_where(const Request& request) {
     if (request.mask != nullptr) check_mask(*request.mask);
     check_border(request, request.border, shortest(request.border));
     check_places_of_classes(request);
+    if (request.count && *request.count > 0 && !has_places(request))
+        throw BadRequest("count", std::to_string(*request.count),
+                         "points may lie nowhere in the domain, " + extent_of(request.domain, ')') +
+                             ": must be a set without a count");
     const Members members(request);
     std::uint64_t kept = 0;
     for_each_polled(request.keep.size(), ask, [&](std::size_t i) {

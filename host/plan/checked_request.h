@@ -63,6 +63,10 @@ void check_disks(const Field& field, const char* who);
 // Checks where samples may lie (check_where.cpp): the mask, the border and the kept points, but not
 // the points' distances, which depend on the radius. Throws BadRequest.
 void check_where(const Request& request);
+// Whether samples may lie anywhere, by a mask or by all masks of a request that were checked. If
+// not, a set is empty, and a count is refused.
+bool allows_some(const Mask& mask);
+bool has_places(const Request& request);
 
 // Whether the plan of the request has a radius field: mode exact with a field, a mask, a border,
 // kept points, classes or a progressive order.

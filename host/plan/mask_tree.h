@@ -105,10 +105,11 @@ private:
     std::size_t joined_ = 0;
 };
 
-// A mask that was drawn: Mask::drawn has it. What kept points are told does not depend on pixels.
+// A mask that was drawn: Mask::drawn has it. What is said of points does not depend on pixels.
 struct DrawnMask {
     MaskTree tree;
     std::function<bool(Point)> holds;  // whether samples may lie at a position
+    std::function<bool(Point)> keeps;  // likewise kept points, which may also lie on outlines
 };
 
 }  // namespace lacuna

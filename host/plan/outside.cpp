@@ -105,7 +105,7 @@ Mask padded_mask(const Mask& mask, const MaskTree::Padding& across, const MaskTr
                  const Poll& poll) {
     const auto own = mask.drawn ? std::shared_ptr<const MaskTree>(mask.drawn, &mask.drawn->tree)
                                 : std::make_shared<const MaskTree>(mask, poll);
-    DrawnMask drawn{MaskTree(*own, across, up, poll), {}};
+    DrawnMask drawn{MaskTree(*own, across, up, poll), {}, {}};
     Mask padded{drawn.tree.columns(), drawn.tree.rows(), {}, nullptr};
     padded.drawn = std::make_shared<const DrawnMask>(std::move(drawn));
     return padded;

@@ -128,8 +128,8 @@ constexpr Row kRows[] = {
      "is for one class"},
     {{"avoid", "FILE[:WIDTH]", Kind::obstacles, kPlaced, {.repeats = true}},
      "Obstacles that points stay away from: points of a .csv, by its column radius, or lines and "
-     "outlines of a .svg, .geojson or .txt, within WIDTH; FILE.svg#NAME as for --inside; may be "
-     "given several times"},
+     "outlines of a .svg, .geojson or .txt, within WIDTH; FILE.svg:stroke has the widths of its "
+     "strokes; FILE.svg#NAME as for --inside; may be given several times"},
     {{"near", "FILE[:D]", Kind::obstacles, kPlaced, {.repeats = true}},
      "Points lie within D of the lines, outlines or points in this file, which is as for --avoid; "
      "may be given several times, and points are then near to any"},

@@ -53,10 +53,11 @@ def read_polygons(path: str | bytes | os.PathLike[Any]) -> Polygons:
     Parameters
     ----------
     path : path
-        ``.svg``: the outlines of its shapes, in user units of the page; ``map.svg#lakes`` is the
-        part with this id or Inkscape label. ``.geojson``, ``.json``: polygons, with unchanged
-        coordinates. ``.txt``: ``x y`` on each line, and a blank line between rings. Polygons of one
-        file that overlap are joined, each filled by its own rule. docs/domains.md lists what is
+        ``.svg``, ``.svgz``: the outlines of its shapes, in user units of the page;
+        ``map.svg#lakes`` is the part with this id or Inkscape label. ``.geojson``, ``.geojsonl``,
+        ``.json``: polygons, with unchanged coordinates. ``.txt``: ``x y`` on each line, and a blank
+        line between rings. Polygons of one file that overlap are joined, each filled by its own
+        rule. docs/domains.md lists what is
         read and what is skipped.
 
     Returns
@@ -269,7 +270,8 @@ def domain_around(*places: Places) -> Extent:
     """The domain of places: what ``sample`` and ``verify`` use unless they are given one.
 
     The first page of Polygons that have one; else (1, 1), or the farthest corner if the places
-    reach beyond it. If they lie far from (0, 0), or beyond it, the box around them.
+    reach beyond it. If they lie far from (0, 0), or beyond it, the box around them, or a larger
+    square if doubles cannot resolve a box so small there.
 
     Parameters
     ----------
@@ -353,7 +355,7 @@ def draw_mask(
     Raises
     ------
     BadRequest
-        The edge is so small that the mask exceeds the limit, or no pixel is inside the rings.
+        The edge is so small that the mask exceeds the limit.
     TypeError
         An argument is of the wrong type. Names it.
 

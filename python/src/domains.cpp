@@ -83,6 +83,8 @@ nb::tuple domain_of(const nb::list& given) {
         for (const PolygonRing& ring : set.rings)
             for (const Point& point : ring)
                 most = {std::max(most.x, point.x), std::max(most.y, point.y)};
+    if (domain.width > most.x - domain.x0)  // larger than they need
+        most = {domain.x0 + domain.width, domain.y0 + domain.height};
     return nb::make_tuple(domain.x0, domain.y0, most.x, most.y);
 }
 

@@ -277,12 +277,11 @@ TEST(Objects, ThatHaveNoPlaceAreNamed) {
               "lacuna: --radius nan: must be a finite number greater than 0\n");
     const std::string strip = folder.path("strip.txt");
     write_file(strip, "0.4 0.1\n0.45 0.1\n0.45 0.9\n0.4 0.9\n");
-    const std::string narrow =
-        "must enclose some of the domain, [0, 1) x [0, 1), at least 0.1 from its outline, and be "
-        "wider than twice the edge, 0.00125\n";
     const Names in_strip{"--class", "a:0.1", "--class", "b:0.01", "--domain", "1x1", "--inside"};
-    EXPECT_EQ(refusal(with(in_strip, {strip})),
-              "lacuna: --inside 1 ring in [0.4, 0.45] x [0.1, 0.9] for class a: " + narrow);
+    const Outcome narrow = run(
+        "sample", with(in_strip, {strip, "--inside-by-radius", "-o", folder.path("narrow.csv")}));
+    expect_has(narrow.err, {"(the domain, [0, 1) x [0, 1), has no open place for a wider than "
+                            "twice the --edge)"});
     EXPECT_EQ(
         refusal(with(in_strip, {"c:" + strip})),
         "lacuna: --inside c:" + strip + ": there is no such file, and c is not a class (a or b)\n");

@@ -317,9 +317,9 @@ TEST(Near, ArePointsWithinADistanceOfLinesAndWithinOtherPlaces) {
     EXPECT_EQ(refusal(path), "lacuna: --near " + path +
                                  ": needs a distance, as in FILE:2.5: how far points may be from "
                                  "its lines\n");
-    EXPECT_EQ(refusal("a.foo:2"),
-              "lacuna: --near a.foo: must end in .svg, .geojson, .json or "
-              ".txt\n");
+    EXPECT_EQ(
+        refusal("a.foo:2"),
+        "lacuna: --near a.foo: must end in .svg, .svgz, .geojson, .geojsonl, .json or .txt\n");
     EXPECT_EQ(refusal(path + ":0"),
               "lacuna: --near " + path + ":0: the distance must be a finite number over 0\n");
     write_file(lots, "x,y,radius\n0.5,0.9,0\n");
@@ -396,6 +396,42 @@ TEST(Obstacles, AreRefusedInOneLine) {
               "lacuna: " + rocks +
                   ":1: the columns are \"x,size\": two must be called x and y, lon and lat, or "
                   "easting and northing\n");
+}
+
+// Roads as wide as the drawing shows them, in units of the page or of a domain of its shape.
+TEST(Strokes, OfADrawingAreAvoidedOrFilledInTheirWidth) {
+    const Folder folder;
+    const std::string map = folder.path("map.svg"), csv = folder.path("a.csv");
+    write_file(map,
+               "<svg viewBox='0 0 60 40'><circle cx='10' cy='30' r='5'/>"
+               "<g id='roads' stroke='black' stroke-width='8'><line x1='30' x2='30' y2='40'/>"
+               "<line y1='5' x2='60' y2='5' stroke-width='2'/></g></svg>");
+    for (const double factor : {1.0, 2.0})
+        for (const std::string option : {"--avoid", "--near"}) {
+            const Names asked{option,     map + "#roads:stroke",           "--radius", "1",
+                              "--domain", factor == 1 ? "60x40" : "120x80"};
+            ASSERT_EQ(sample_with(with(asked, {"-o", csv})).exit_code, 0);
+            EXPECT_EQ(verify_with(with({csv}, asked)).exit_code, 0);
+            for (const Point& point : files::read_points(csv)) {
+                const bool is_on_road =
+                    std::abs(point.x / factor - 30) < 4 || std::abs(point.y / factor - 35) < 1;
+                EXPECT_EQ(is_on_road, option == "--near") << point.x << " " << point.y;
+            }
+        }
+    const auto refusal = [&](const Names& options) {
+        return sample_with(with(options, {"--radius", "1", "-o", csv})).err;
+    };
+    EXPECT_EQ(refusal({"--avoid", map + ":stroke", "--domain", "60x50"}),
+              "lacuna: --avoid " + map +
+                  ":stroke: the domain must have the shape of the page, or strokes are not "
+                  "equally wide everywhere\n");
+    EXPECT_EQ(refusal({"--near", "a.txt:stroke"}),
+              "lacuna: --near a.txt:stroke: must be an .svg, which says how wide its strokes "
+              "are\n");
+    write_file(map, "<svg viewBox='0 0 60 40'><circle cx='10' cy='30' r='5'/></svg>");
+    EXPECT_EQ(
+        refusal({"--avoid", map + ":stroke"}),
+        "lacuna: " + map + ": no line with a stroke: there must be one, or give FILE:WIDTH\n");
 }
 
 }  // namespace placement_test

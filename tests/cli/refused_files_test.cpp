@@ -37,19 +37,18 @@ TEST(Refused, OfStippleAreBadPictures) {
 
 TEST(Refused, OfSampleAreFilesThatSayWherePointsMayLie) {
     const Files files{
-        {"half.pgm", pgm(2, 1, bytes({255, 0}))}, {"black.pgm", pgm(1, 1, bytes({0}))},
-        {"triangle.txt", "0 0\n1 0\n0 1\n"},      {"line.txt", "0 0\n1 0\n"},
+        {"half.pgm", pgm(2, 1, bytes({255, 0}))},
+        {"triangle.txt", "0 0\n1 0\n0 1\n"},
+        {"line.txt", "0 0\n1 0\n"},
         {"outside.txt", "0.5 0.5\n2 0.5\n"},
     };
     const Refusals refusals{
         {"--inside triangle.txt --edge 1e-9", 2,
          "lacuna: --edge 1e-09: must be at least 6e-08, the longer side / 2^24"},
         {"--inside half.pgm", 2,
-         "lacuna: --inside half.pgm: must end in .svg, .geojson, .json or .txt\n"},
+         "lacuna: --inside half.pgm: must end in .svg, .svgz, .geojson, .geojsonl, .json or "
+         ".txt\n"},
         {"--inside line.txt", 3, "lacuna: line.txt:1: a ring of 2 points: must be at least 3\n"},
-        {"--mask black.pgm", 3,
-         "lacuna: black.pgm: black or transparent all over: as a mask it must allow samples "
-         "somewhere, on pixels that are not 0\n"},
         {"--torus --keep outside.txt", 2,
          "lacuna: --keep point 1 at (2, 0.5): must lie in the domain, [0, 1) x [0, 1)\n"},
         {"--keep none.txt", 3, "lacuna: none.txt: No such file or directory\n"},

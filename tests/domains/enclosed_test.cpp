@@ -156,7 +156,7 @@ TEST(RingsOfAText, ThatDoNotOverlapInPartStayAsTheyAre) {
              {},
              {shell, square(2.2, 2.3, 3.7), square(3.1, 3.1, 0.3)},  // an island in a hole
              {square(0, 0, 1), square(1, 0, 1), square(2, 1, 1)},    // neighbours
-             {shell, {{3, 3}}, {{0, 0}, {9, 9}}},                    // a point, and a line
+             {{{3, 3}}, {{0, 0}, {9, 9}}, shell},                    // a point, and a line
              {square(0, 0, 5), square(2, 2, inf)},                   // is refused later on
          })
         EXPECT_EQ(joined(rings), rings);

@@ -34,12 +34,16 @@ TEST(AMask, NeedsAValueForEachPixel) {
               "mask 3x2 with 5 values: needs columns * rows values, at least one");
 }
 
-TEST(AMask, AllowsSamplesSomewhere) {
+TEST(AMask, OfZerosHasAnEmptySetAndNoCount) {
     Request request = of_radius(0.1);
     const Mask mask{2, 2, {0, 0, 0, 0}};
     request.mask = &mask;
+    EXPECT_EQ(refusal_of(request), "accepted");
+    request.radius.reset();
+    request.count = 10;
     EXPECT_EQ(refusal_of(request),
-              "mask 2x2 of zeros: samples must be allowed somewhere: some value must not be 0");
+              "count 10: points may lie nowhere in the domain, [0, 1) x [0, 1): must be a set "
+              "without a count");
 }
 
 TEST(AMask, IsForModesExactAndPixels) {

@@ -312,10 +312,6 @@ TEST(Classes, AreRefusedInOneLine) {
     request.classes.borders = {};
     request.classes.masks.resize(3);
     EXPECT_EQ(refusal(request), "mask 3 masks of classes: must be one for each of the 2 classes");
-    const Mask none{1, 1, {0}};
-    request.classes.masks = {nullptr, &none};
-    EXPECT_EQ(refusal(request),
-              "mask 1x1 of zeros: samples must be allowed somewhere: some value must not be 0");
     request.classes.masks = {};
     const std::vector<Point> keep{{0.5, 0.5}, {0.6, 0.5}};
     request.keep = keep;

@@ -124,7 +124,7 @@ void run(const CommandLine& line, SampleCommand all) {
     write_set(writing, all.drawing, outputs, set.points(), style, [&] {
         return set.diameters(moves_points ? drawing::Spread::even : drawing::Spread::random);
     });
-    sum_up(options, outputs, made, "point", words_of_kept(made_request));
+    sum_up(options, outputs, made, "point", words_of_places(made_request));
 }
 
 void take_seeds(const std::string& text, std::optional<SeedRange>& seeds) {

@@ -172,7 +172,6 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& 
     for (const Clearances& clearances : claim.clearances) {
         if (clearances.empty()) continue;
         const std::vector<PolygonSet> sets = sets_of(clearances, claim.kinds, claim.rings);
-        check_places(sets, request.domain);
         claim.edge_tolerance = given.files.edge =
             edge_of(claim.options, request, sets, given.files);
     }

@@ -73,8 +73,9 @@ Made make(const CommonOptions& options, recipes::Moves moves) {
 
 void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, const Made& made,
             const std::string& what, const std::string& note, const std::string& more) {
-    if (options.quiet || has_standard_output(outputs) || is_standard_output(options.report)) return;
     const Result& result = made.result;
+    const bool is_on_screen = has_standard_output(outputs) || is_standard_output(options.report);
+    if (options.quiet || (is_on_screen && !result.points.empty())) return;
     // The radius or scale that was chosen for --count or for stipple's default number of dots.
     // After relaxing the radius may be 0, which means not known.
     std::string size;

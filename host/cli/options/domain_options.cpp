@@ -1,7 +1,7 @@
 // The options of a domain, and the files that they name.
 #include "cli/options/domain_options.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <lacuna/domains.h>
 
 #include <algorithm>
@@ -21,6 +21,8 @@
 #include "files/read_sets.h"
 #include "files/read_whole.h"
 #include "pictures/importance.h"
+#include "plan/checked_request.h"
+#include "plan/corner.h"
 #include "plan/kept.h"
 #include "plan/sheets.h"
 
@@ -132,10 +134,11 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
             const char* const option = near ? "near" : "avoid";
             for (Obstacles& obstacles : read_obstacles(option, text)) {
                 if (obstacles.lines.page) give_shape(*obstacles.lines.page);
+                const double distance = distance_on(request.domain, obstacles, option, text);
                 files.polygons.push_back(std::move(obstacles.lines));
                 files.own.emplace_back();
                 files.kinds.push_back({.forbidden = !near,
-                                       .distance = obstacles.distance,
+                                       .distance = distance,
                                        .near = near,
                                        .option = option,
                                        .name = shown(path_of_obstacles(text))});
@@ -181,11 +184,36 @@ Request as_made(Request request, const Result& result) {
     return request;
 }
 
-std::string words_of_kept(const Request& request) {
+namespace {
+
+// Which classes may lie nowhere.
+std::string words_of_no_place(const Request& request) {
+    const std::vector<std::string>& names = request.classes.names;
+    std::vector<std::string> without;
+    bool are_drawn = false;
+    for (std::size_t i = 0; i < std::max<std::size_t>(names.size(), 1); ++i) {
+        const Mask* const mask = mask_of(request, i);
+        if (mask == nullptr || allows_some(*mask)) continue;
+        without.push_back(names.empty() ? "" : names[i]);
+        are_drawn |= mask->drawn != nullptr;
+    }
+    if (without.empty()) return "";
+    const std::string who =
+        without.size() < names.size() ? fmt::format(" for {}", fmt::join(without, ", ")) : "";
+    return are_drawn
+               ? fmt::format(" (the domain, {}, has no open place{} wider than twice the --edge)",
+                             extent_of(request.domain, ')'), who)
+               : fmt::format(" (the mask{} is black all over)", who);
+}
+
+}  // namespace
+
+std::string words_of_places(const Request& request) {
     const SortedKept kept = sorted_kept(request);
     // Without a radius all points outside count, although those far away will have no effect.
     const char* const most = kept.has_radius ? "" : "up to ";
-    return (kept.members == 0 ? "" : fmt::format(", {} of them kept", kept.members)) +
+    return words_of_no_place(request) +
+           (kept.members == 0 ? "" : fmt::format(", {} of them kept", kept.members)) +
            (kept.neighbours() == 0
                 ? ""
                 : fmt::format(", beside {}{} kept outside", most, kept.neighbours()));

@@ -80,11 +80,18 @@ void check_ellipse_columns(bool is_given, const std::vector<Output>& outputs);
 struct Obstacles {
     Polygons lines;
     double distance;
+    bool is_stroke = false;  // whether the distance, too, is in the unit of the page
 };
 
-// `text` is FILE or FILE:WIDTH, of the option. Points of a .csv have a column radius, or all have
-// the width; the lines and outlines of another file need one. Throws BadRequest and FileError.
+// `text` is FILE, FILE:WIDTH or FILE:stroke, of the option. Points of a .csv have a column radius,
+// or all have the width; the lines and outlines of another file need one, or are strokes. Throws
+// BadRequest and FileError.
 std::vector<Obstacles> read_obstacles(const std::string& option, const std::string& text);
+
+// The distance in the unit of the domain, over which the page is stretched. Throws BadRequest if
+// strokes are stretched, too.
+double distance_on(const Domain& domain, const Obstacles& obstacles, const std::string& option,
+                   const std::string& text);
 
 // Calls read(), whose errors about the path shall name this option.
 Polygons read_for(const std::string& option, const std::function<Polygons()>& read);
@@ -167,9 +174,10 @@ void read_domain_files(const CommandLine& line, const DomainOptions& options, Re
 // itself are only proportions if it has a count.
 Request as_made(Request request, const Result& result);
 
-// How many points were kept in the domain, and how many outside are near enough to matter, for the
-// line that sums up a run; empty if there are none.
-std::string words_of_kept(const Request& request);
+// How many points were kept in the domain, and how many outside are near enough to matter, and
+// whether points may lie nowhere, for the line that sums up a run; empty if there is nothing to
+// say.
+std::string words_of_places(const Request& request);
 
 // The options as JSON, for reports and for files that hold the origin of a set.
 nlohmann::ordered_json json_of(const DomainOptions& options, const Request& request,

@@ -7,11 +7,11 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "cli/options/domain_options.h"
+#include "plan/checked_request.h"
 #include "plan/sheets.h"
 #include "plan/sizes.h"
 #include "recipes/classes.h"
@@ -49,13 +49,10 @@ Mask coarse_places(const Request& request, std::span<const PolygonSet> sets) {
     constexpr double kLeast = 0x1p-22;  // of the longer side
     const double longer = request.domain.longer_side();
     double edge = coarse_edge(request, sets);
-    for (; edge >= longer * kLeast; edge /= 4) {
-        try {
-            return draw_places(sets, request.domain, edge);
-        } catch (const BadRequest&) {  // finer places may be left
-        }
+    for (;; edge /= 4) {
+        Mask mask = draw_places(sets, request.domain, edge);
+        if (edge < longer * kLeast || allows_some(mask)) return mask;
     }
-    return draw_places(sets, request.domain, edge);
 }
 
 // The least radius of the set. For a count it is the radius of a maximal set of this size.
@@ -68,24 +65,9 @@ double least_radius(const Request& request, std::span<const PolygonSet> sets,
     if (!request.count || *request.count == 0) return request.domain.longer_side() / 1000;
     const Mask mask = coarse_places(request, sets);
     Request trial = request;
-    trial.mask = &mask;
+    if (allows_some(mask)) trial.mask = &mask;  // otherwise other classes decide, or nothing does
     return radius_field_scale_for_count(trial, static_cast<double>(*request.count)) /
            std::sqrt(greatest);
-}
-
-// A BadRequest for places that leave nothing names the class.
-template <class Draw>
-Mask draw_for_class(const std::string& name, const Draw& draw) {
-    try {
-        return draw();
-    } catch (const BadRequest& error) {
-        const std::string what = error.what();
-        const std::size_t begin = error.option().size() + 1;
-        const std::size_t colon = std::min(what.find(": ", begin), what.size());
-        if (error.option() == "edge") throw;
-        throw BadRequest(error.option(), what.substr(begin, colon - begin) + " for class " + name,
-                         what.substr(std::min(colon + 2, what.size())));
-    }
 }
 
 // Adds the images of the rings around a torus.
@@ -193,8 +175,7 @@ void read_domain_files(const CommandLine& line, const DomainOptions& options, Re
             continue;
         }
         const auto [drawn, is_new] = files.masks_of_classes.try_emplace(own);
-        if (is_new)
-            drawn->second = draw_for_class(request.classes.names[i], [&] { return draw(own); });
+        if (is_new) drawn->second = draw(own);
         request.classes.masks.push_back(&drawn->second);
     }
 }

@@ -25,13 +25,15 @@ namespace {
 struct FileAndWidth {
     std::string path;
     std::optional<double> width;
+    bool is_of_strokes = false;
 };
 
-// A colon begins the width if a number follows, to the end.
+// A colon begins the width if a number follows, to the end, or the word `stroke`.
 FileAndWidth file_and_width(const std::string& text) {
     const std::size_t colon = text.rfind(':');
     if (colon == std::string::npos || colon == 0) return {text, {}};
     std::string_view rest = std::string_view(text).substr(colon + 1);
+    if (rest == "stroke") return {text.substr(0, colon), {}, true};
     double width = 0;
     if (files::take_number(rest, width) != std::errc{} || !rest.empty()) return {text, {}};
     return {text.substr(0, colon), width};
@@ -87,6 +89,12 @@ std::vector<Obstacles> read_obstacles(const std::string& option, const std::stri
         throw BadRequest(option, shown(text),
                          std::string(option == "near" ? "the distance" : "the width") +
                              " must be a finite number over 0");
+    if (given.is_of_strokes) {
+        std::vector<Obstacles> all;
+        for (domains::Strokes& strokes : domains::read_strokes(given.path, option))
+            all.push_back({std::move(strokes.lines), strokes.distance, true});
+        return all;
+    }
     if (given.path.ends_with(".csv")) return read_disks(option, given);
     Polygons lines = read_for(option, [&] { return read_lines(given.path); });
     if (!given.width)
@@ -96,6 +104,19 @@ std::vector<Obstacles> read_obstacles(const std::string& option, const std::stri
                 ? "needs a distance, as in FILE:2.5: how far points may be from its lines"
                 : "needs a width, as in FILE:2.5: how far points stay from its lines");
     return {{std::move(lines), *given.width}};
+}
+
+double distance_on(const Domain& domain, const Obstacles& obstacles, const std::string& option,
+                   const std::string& text) {
+    if (!obstacles.is_stroke) return obstacles.distance;
+    const double along = domain.width / obstacles.lines.page->width;
+    const double up = domain.height / obstacles.lines.page->height;
+    constexpr double kRounding = 1e-9;
+    if (std::abs(along - up) > kRounding * std::max(along, up))
+        throw BadRequest(option, shown(text),
+                         "the domain must have the shape of the page, or strokes are not equally "
+                         "wide everywhere");
+    return along * obstacles.distance;
 }
 
 }  // namespace lacuna::cli

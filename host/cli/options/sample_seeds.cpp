@@ -115,7 +115,7 @@ void sum_up(const CommonOptions& options, const ManyMade& all, const Request& re
         maximal = fmt::format(", {} of them maximal", all.maximal);
     const std::string summary = fmt::format(
         "{} set{} of {} points{}{}, {:.3f} s, {} -> {}", all.sets, all.sets == 1 ? "" : "s", counts,
-        words_of_kept(request), maximal, all.seconds, all.last.backend, paths);
+        words_of_places(request), maximal, all.seconds, all.last.backend, paths);
     std::fputs((printable(summary) + "\n").c_str(), stderr);
 }
 

@@ -73,8 +73,10 @@ std::string closest(const SetClaim& claim) {
 }
 
 std::string largest_gap(const SetClaim& claim) {
-    if (all_points(claim) == 0) return "anywhere, for want of a point";
     const Proof& proof = claim.proof;
+    if (all_points(claim) == 0)
+        return proof.covered ? "none, since points may lie nowhere"
+                             : "anywhere, for want of a point";
     // With a field, mask, polygons or border, the search ends when it knows that all spots are
     // covered. It does not know then which gap is the largest.
     if (!verify::is_uniform(claim) && proof.covered) return "none over its limit";

@@ -75,9 +75,8 @@ struct DrawnMask;  // internal: plan/mask_tree.h
 struct Mask {
     std::uint32_t columns = 0;            // pixels
     std::uint32_t rows = 0;               // pixels
-    std::vector<std::uint8_t> allowed{};  // rows * columns values, at least one of them not 0 (0:
-                                          // no sample there); row by row, row 0 is the top of the
-                                          // picture (largest y)
+    std::vector<std::uint8_t> allowed{};  // rows * columns values (0: no sample there); row by row,
+                                          // row 0 is the top of the picture (largest y)
     // Instead of `allowed`: what draw_places() of lacuna/domains.h has drawn. It takes memory in
     // proportion to the length of the outlines, whatever the number of pixels.
     std::shared_ptr<const DrawnMask> drawn{};

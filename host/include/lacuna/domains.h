@@ -39,25 +39,27 @@ struct Polygons {
 // Reads a mask from a picture file, or from standard input for "-". Samples are allowed on pixels
 // that have any colour channel above 0, unless alpha is 0. Reads the formats of read_picture(); a
 // number of an .npy allows samples if it is not 0. Beware of JPEG: pixels that look black are
-// rarely 0. Throws FileError, also where no pixel is allowed.
+// rarely 0. Throws FileError.
 Mask read_mask(const std::string& path);
 // The same for bytes that have been read. `name` stands for the file in messages.
 Mask decode_mask(std::string_view bytes, const std::string& name);
 
 // The polygons of a file, by its extension:
-//   .svg             the outlines of paths, polygons, polylines, rects, circles and ellipses,
+//   .svg .svgz       the outlines of paths, polygons, polylines, rects, circles and ellipses,
 //                    with their transforms, also in groups and by `use`. What is hidden (in defs,
-//                    by display, visibility or opacity 0) is skipped, and a line without fill is
-//                    refused, as is what moves or cuts shapes in another way, such as clip-path.
-//                    Attributes, `style` and simple rules of <style> count. Each shape is filled
-//                    by its fill-rule, nonzero unless the file says evenodd. Coordinates are user
-//                    units of the page, which is the viewBox, or width x height in px (96 an inch).
-//                    The page's lower left corner is (0, 0). Curves become lines with an error of
-//                    at most 2^-20 of the page's longer side. Of a path such as map.svg#lakes only
-//                    the element with this id is read, or the only one with this Inkscape label.
-//   .geojson .json   Polygon, MultiPolygon, Feature, FeatureCollection and GeometryCollection;
-//                    coordinates are not converted; points are skipped, and lines refused. A
-//                    polygon is its shell less the union of its holes, wherever these lie.
+//                    by display, visibility or opacity 0), or of another namespace, is skipped, and
+//                    a line without fill is refused, as is what moves or cuts shapes in another
+//                    way, such as clip-path. Attributes, `style` and simple rules of <style> count.
+//                    Each shape is filled by its fill-rule, nonzero unless the file says evenodd.
+//                    Coordinates are user units of the page, which is the viewBox, or width x
+//                    height in px (96 an inch). The page's lower left corner is (0, 0). Curves
+//                    become lines with an error of at most 2^-20 of the page's longer side. Of a
+//                    path such as map.svg#lakes only the element with this id is read, or the only
+//                    one with this Inkscape label.
+//   .geojson .json   Polygon, MultiPolygon, Feature, FeatureCollection and GeometryCollection, or
+//   .geojsonl        a sequence of these; coordinates are not converted; points are skipped, and
+//                    lines refused. A polygon is its shell less the union of its holes, wherever
+//                    these lie.
 //   .txt             `x y` on each line; a blank line, or one that begins with #, ends a ring. The
 //                    rings are joined().
 // Polygons of .svg and .geojson become the rings of their union: none runs where two overlap or
@@ -67,9 +69,9 @@ Polygons read_polygons(const std::string& path);
 // The same for bytes that have been read, of the format "svg", "geojson" or "txt".
 Polygons decode_polygons(std::string_view bytes, std::string_view format, const std::string& name);
 
-// Rings that overlap in part, or are the same, become those of their union. Others stay as they are:
-// a ring in a ring is a hole, and a ring in the hole is an island. Draw these by the even-odd rule,
-// as the functions below do.
+// Rings that overlap in part, or are the same, become those of their union. Others stay as they
+// are: a ring in a ring is a hole, and a ring in the hole is an island. By the even-odd rule, as
+// all functions below have it, the result encloses just that.
 std::vector<PolygonRing> joined(std::vector<PolygonRing> rings);
 
 // Reads lines and points from which samples keep a distance: rings for PolygonSet::distance.
@@ -88,21 +90,17 @@ Polygons decode_lines(std::string_view bytes, std::string_view format, const std
 std::vector<PolygonRing> fitted(Polygons polygons, const Domain& domain);
 
 // The domain of sets that have no page: 1 x 1, or from (0, 0) to their farthest corner if they
-// reach beyond it. If they lie far from (0, 0), or beyond it, the box around them where it lies.
+// reach beyond it. If they lie far from (0, 0), or beyond it, the box around them where it lies, or
+// a larger square if the box is so small that doubles are too coarse for it there.
 // Throws BadRequest for a box without an area, and for coordinates and distances that are not
 // finite.
 Domain domain_around(std::span<const PolygonSet> sets);
 
-// Throws BadRequest for sets of an option, or of one of its files, that lie wholly outside of the
-// domain, and for coordinates and distances that are not finite. draw_places() and draw_mask() do
-// this.
-void check_places(std::span<const PolygonSet> sets, const Domain& domain);
-
 // The mask of the inside of `rings` for this domain: a pixel is allowed if all of it is inside,
 // with 2^-27 of the longer side to spare. No two points of a pixel are farther apart than `edge`.
 // So no sample lies outside, and every spot is allowed that is farther than `edge` from the rings.
-// Throws BadRequest for invalid numbers, for rings that leave no pixel allowed, and for a mask of
-// more bytes than the limit (0: a quarter of the machine's memory).
+// Rings may leave no pixel allowed. Throws BadRequest for invalid numbers, and for a mask of more
+// bytes than the limit (0: a quarter of the machine's memory).
 Mask draw_mask(std::span<const PolygonRing> rings, const Domain& domain, double edge,
                std::uint64_t memory_limit_bytes = 0);
 // The same for several sets of polygons: a pixel is allowed if samples may lie on all of it. With a
