@@ -31,7 +31,7 @@ using tests::Call;
 const std::set<std::string> kShort{"devices",        "distances_by_sum", "distances_by_union",
                                    "expected_count", "inks_of",          "name_of",
                                    "paper_of",       "ask_older",        "domain_around",
-                                   "domain_like",    "check_places",     "read_picture",
+                                   "domain_like",    "read_picture",
                                    "check",          "claim_of"};
 
 double seconds_now() {
