@@ -1,11 +1,11 @@
-// Pen paths: a greedy path is improved around every dot whose neighbourhood changed.
+// Pen paths: a greedy path is improved around every dot whose neighbourhood changed, until no two
+// of its segments cross.
 #include "drawing/pen/pen_path.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <deque>
-#include <numeric>
 #include <utility>
 
 #include "drawing/pen/greedy_path.h"
@@ -68,26 +68,36 @@ std::vector<Item> picked(std::span<const Item> items, std::span<const std::uint3
     return all;
 }
 
-// Improves the path around every spot, and again around each spot that a move changed.
-std::vector<std::uint32_t> improved(std::span<const Spot> spots, const Neighbours& neighbours,
+// Improves the tour around every spot, and again around each spot that a move changed. Then looks
+// for edges that cross and for long edges, until there are none that an exchange would shorten.
+std::vector<std::uint32_t> improved(Tour tour, std::size_t spots,
                                     const std::function<bool()>& may_go_on) {
-    Tour tour(spots, neighbours);
-    std::vector<bool> waits(spots.size(), true);
-    std::deque<std::uint32_t> waiting(spots.size());
-    std::iota(waiting.begin(), waiting.end(), 0U);
+    constexpr std::int64_t kLong = 10;  // times the mean
+    const std::vector<std::uint32_t> path = tour.path();
+    std::deque<std::uint32_t> waiting(path.begin(), path.end());
+    std::vector<bool> waits(spots, true);
     std::vector<std::uint32_t> touched;
-    for (std::size_t done = 0; !waiting.empty(); ++done) {
-        if (done % kBetweenAsking == 0 && !may_go_on()) throw Cancelled();
-        const std::uint32_t spot = waiting.front();
-        waiting.pop_front();
-        waits[spot] = false;
+    std::size_t done = 0;
+    const auto note_changes_by = [&](const auto& moves) {
+        if (done++ % kBetweenAsking == 0 && !may_go_on()) throw Cancelled();
         touched.clear();
-        tour.improve(spot, touched);
+        moves();
         for (const std::uint32_t other : touched) {
-            if (other == spots.size() || waits[other]) continue;
+            if (other == spots || waits[other]) continue;
             waits[other] = true;
             waiting.push_back(other);
         }
+    };
+    while (!waiting.empty()) {
+        while (!waiting.empty()) {
+            const std::uint32_t spot = waiting.front();
+            waiting.pop_front();
+            waits[spot] = false;
+            note_changes_by([&] { tour.improve(spot, touched); });
+        }
+        const std::int64_t usual = kLong * tour.length() / static_cast<std::int64_t>(spots);
+        for (std::uint32_t spot = 0; spot < spots; ++spot)
+            note_changes_by([&] { tour.uncross(spot, usual, touched); });
     }
     return tour.path();
 }
@@ -98,18 +108,13 @@ std::vector<std::uint32_t> pen_path(std::span<const Point> points,
                                     const std::function<bool()>& may_go_on) {
     if (points.empty()) return {};
     // Sorts the dots, so that near dots are near in memory: all else is three times as fast.
-    const std::vector<Spot> given = spots_of(points);
-    std::vector<std::uint32_t> order = hilbert_order_of(given);
-    std::vector<Spot> spots = picked<Spot>(given, order);
-    {
-        const std::vector<std::uint32_t> greedy =
-            greedy_path(spots, Neighbours(spots, kNeighbours));
-        order = picked<std::uint32_t>(order, greedy);
-        spots = picked<Spot>(spots, greedy);
-    }
+    std::vector<Spot> spots = spots_of(points);
+    std::vector<std::uint32_t> order = hilbert_order_of(spots);
+    spots = picked<Spot>(spots, order);
+    const Neighbours neighbours(spots, kNeighbours);
+    Tour tour(spots, neighbours, greedy_path(spots, neighbours));
     if (!may_go_on()) throw Cancelled();
-    order =
-        picked<std::uint32_t>(order, improved(spots, Neighbours(spots, kNeighbours), may_go_on));
+    order = picked<std::uint32_t>(order, improved(std::move(tour), spots.size(), may_go_on));
     if (order.front() > order.back()) std::reverse(order.begin(), order.end());
     return order;
 }

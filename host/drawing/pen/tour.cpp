@@ -6,20 +6,36 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <utility>
+
+#include "base/polling.h"
 
 namespace lacuna::pen {
 namespace {
 
 constexpr std::size_t kLongestSegment = 3;
+// A move replaces at most three distances, each of which is rounded down by less than 1. If it
+// saves this much in whole numbers, it shortens the tour. All moves do, so they come to an end.
+constexpr std::int64_t kSurely = 3;
+
+// 1 if c lies to the left of the way from a to b, -1 to the right, 0 on a line with both.
+int side_of(const Spot& a, const Spot& b, const Spot& c) {
+    const std::int64_t area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    return (area > 0 ? 1 : 0) - (area < 0 ? 1 : 0);
+}
+
+// Whether two edges have a point in common that is an end of neither and do not lie on one line.
+bool cross(const Spot& a, const Spot& b, const Spot& c, const Spot& d) {
+    return side_of(a, b, c) * side_of(a, b, d) < 0 && side_of(c, d, a) * side_of(c, d, b) < 0;
+}
 
 }  // namespace
 
-Tour::Tour(std::span<const Spot> spots, const Neighbours& neighbours)
-    : spots_(spots), neighbours_(neighbours), order_(spots.size() + 1), place_(spots.size() + 1) {
-    std::iota(order_.begin(), order_.end(), 0U);
-    std::iota(place_.begin(), place_.end(), 0U);
+Tour::Tour(std::span<const Spot> spots, const Neighbours& neighbours,
+           std::vector<std::uint32_t> path)
+    : spots_(spots), neighbours_(neighbours), order_(std::move(path)), place_(spots.size() + 1) {
+    order_.push_back(home());
+    for (std::uint32_t i = 0; i < order_.size(); ++i) place_[order_[i]] = i;
 }
 
 std::uint32_t Tour::next(std::uint32_t stop, bool forwards) const {
@@ -66,12 +82,45 @@ bool Tour::exchange_edges(std::uint32_t a, bool forwards, std::vector<std::uint3
         const std::int64_t ac = between(a, c);
         if (ac >= ab) return false;
         const std::uint32_t d = next(c, forwards);
-        if (ab + between(c, d) <= ac + between(b, d)) continue;
+        if (ab + between(c, d) < ac + between(b, d) + kSurely) continue;
         exchange(a, b, c);
         touched.insert(touched.end(), {b, c, d});
         return true;
     }
     return false;
+}
+
+// 2-opt among all stops that are nearer to a than the next one, b. Of two edges whose exchange
+// shortens the tour, the longer one has an end to which an end of the other one is nearer than its
+// own other end. So every such pair is found from an end of its longer edge.
+bool Tour::uncross(std::uint32_t a, bool forwards, std::int64_t usual,
+                   std::vector<std::uint32_t>& touched) {
+    const std::uint32_t b = next(a, forwards);
+    if (b == home()) return false;
+    const std::int64_t ab = between(a, b), squared = squared_distance(spots_[a], spots_[b]);
+    std::span<const std::uint32_t> nearer = neighbours_.of(a);
+    std::vector<std::uint32_t> all;
+    if (squared_distance(spots_[a], spots_[nearer.back()]) < squared) {
+        nearer = all = neighbours_.nearer(a, squared);
+        ask_after(all.size());
+    }
+    std::int64_t most = 0;
+    std::uint32_t best = home();
+    for (const std::uint32_t c : nearer) {
+        if (c == a || squared_distance(spots_[a], spots_[c]) >= squared) continue;
+        const std::uint32_t d = next(c, forwards);
+        const bool do_cross = d != home() && cross(spots_[a], spots_[b], spots_[c], spots_[d]);
+        if (!do_cross && ab <= usual) continue;
+        const std::int64_t saved = ab + between(c, d) - between(a, c) - between(b, d);
+        if (!do_cross && saved < kSurely) continue;
+        if (best != home() && (saved < most || (saved == most && c > best))) continue;
+        most = saved;
+        best = c;
+    }
+    if (best == home()) return false;
+    touched.insert(touched.end(), {a, b, best, next(best, forwards)});
+    exchange(a, b, best);
+    return true;
 }
 
 // Up to three stops that lie between `before` and `after`, in either direction of the tour.
@@ -118,7 +167,7 @@ bool Tour::move_segment(const Segment& segment, bool forwards,
         if (segment.has(c)) continue;
         for (const bool is_beyond : {true, false}) {
             const std::uint32_t d = next(c, is_beyond != forwards);
-            if (segment.has(d) || freed + between(c, d) <= ac + between(e, d)) continue;
+            if (segment.has(d) || freed + between(c, d) < ac + between(e, d) + kSurely) continue;
             if (is_beyond) {
                 exchange(b, a, c);
                 exchange(p, e, a);
@@ -143,6 +192,17 @@ void Tour::improve(std::uint32_t stop, std::vector<std::uint32_t>& touched) {
     };
     while (improve_once()) {
     }
+}
+
+void Tour::uncross(std::uint32_t stop, std::int64_t usual, std::vector<std::uint32_t>& touched) {
+    while (uncross(stop, true, usual, touched) || uncross(stop, false, usual, touched)) {
+    }
+}
+
+std::int64_t Tour::length() const {
+    std::int64_t length = 0;
+    for (const std::uint32_t stop : order_) length += between(stop, next(stop, true));
+    return length;
 }
 
 std::vector<std::uint32_t> Tour::path() const {

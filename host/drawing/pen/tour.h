@@ -10,15 +10,25 @@
 
 namespace lacuna::pen {
 
-// The tour visits the spots, at first in the order 0, 1, 2 ..., and one more stop, home, whose
-// distance to every spot is 0. Without home the tour is an open path.
+// The tour visits the spots, at first along `path`, and one more stop, home, whose distance to
+// every spot is 0. Without home the tour is an open path.
 class Tour {
 public:
-    Tour(std::span<const Spot> spots, const Neighbours& neighbours);
+    Tour(std::span<const Spot> spots, const Neighbours& neighbours,
+         std::vector<std::uint32_t> path);
 
     // Makes moves around a spot as long as one shortens the tour. Adds to `touched` the other stops
     // whose edges changed.
     void improve(std::uint32_t spot, std::vector<std::uint32_t>& touched);
+
+    // Exchanges an edge of a spot and any other edge, however far apart their ends are, as long as
+    // two edges cross, or the spot's edge is longer than `usual` and an exchange shortens the tour.
+    // Adds the stops whose edges changed to `touched`. If that are none for all spots, no two edges
+    // cross, and no edge that is longer than `usual` can be exchanged to shorten the tour.
+    void uncross(std::uint32_t spot, std::int64_t usual, std::vector<std::uint32_t>& touched);
+
+    // In the unit of distance().
+    std::int64_t length() const;
 
     // The spots in the order of the tour, beginning after home.
     std::vector<std::uint32_t> path() const;
@@ -31,6 +41,8 @@ private:
     std::int64_t between(std::uint32_t a, std::uint32_t b) const;
 
     bool exchange_edges(std::uint32_t a, bool forwards, std::vector<std::uint32_t>& touched);
+    bool uncross(std::uint32_t a, bool forwards, std::int64_t usual,
+                 std::vector<std::uint32_t>& touched);
     bool move_segment(std::uint32_t a, bool forwards, std::vector<std::uint32_t>& touched);
     bool move_segment(const Segment& segment, bool forwards, std::vector<std::uint32_t>& touched);
     void exchange(std::uint32_t a1, std::uint32_t a2, std::uint32_t b1);

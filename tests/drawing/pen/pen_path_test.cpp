@@ -52,6 +52,45 @@ bool visits_each_once(Order order, std::size_t count) {
     return order == all;
 }
 
+// Whether two segments of the path have a point in common that is an end of neither. Areas are
+// exact for coordinates of a few bits, and for sets whose coordinates are multiples of 2^-25.
+bool cross(const Points& path, std::size_t i, std::size_t j) {
+    const auto side = [](const Point& a, const Point& b, const Point& c) {
+        const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+        return int{area > 0} - int{area < 0};
+    };
+    const Point &a = path[i], &b = path[i + 1], &c = path[j], &d = path[j + 1];
+    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+std::size_t crossings_of(const Points& path) {
+    std::size_t crossings = 0;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) crossings += std::size_t{cross(path, i, j)};
+    return crossings;
+}
+
+// The segments over ten times as long as the mean, and those that an exchange with another one
+// would shorten by more than rounding can hide.
+std::pair<std::size_t, std::size_t> long_segments_of(const Points& path) {
+    constexpr double kRounding = 1e-6;
+    const double most = 10 * path_length(path) / double(path.size() - 1);
+    std::size_t all = 0, needless = 0;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const double now = between(path[i], path[i + 1]);
+        if (now <= most) continue;
+        ++all;
+        bool helps = now > between(path.front(), path[i + 1]) + kRounding ||
+                     now > between(path[i], path.back()) + kRounding;
+        for (std::size_t j = 0; j + 1 < path.size() && !helps; ++j)
+            helps = j != i &&
+                    between(path[i], path[j]) + between(path[i + 1], path[j + 1]) + kRounding <
+                        now + between(path[j], path[j + 1]);
+        needless += std::size_t{helps};
+    }
+    return {all, needless};
+}
+
 double shortest_length(const Points& points) {
     Order order(points.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -61,13 +100,61 @@ double shortest_length(const Points& points) {
     return shortest;
 }
 
-RC_GTEST_PROP(PenPath, GivenAnyPointsThenEachIsVisitedOnce, ()) {
+RC_GTEST_PROP(PenPath, GivenAnyPointsThenEachIsVisitedOnceAndNoSegmentsCross, ()) {
     // Few different coordinates, so that some points coincide and many distances are equal.
     const auto places = *rc::gen::container<std::vector<std::pair<int, int>>>(
         rc::gen::pair(rc::gen::inRange(0, 12), rc::gen::inRange(0, 12)));
     Points points;
-    for (const auto& [x, y] : places) points.push_back({x / 12.0, y / 12.0});
-    RC_ASSERT(visits_each_once(pen_path(points, yes), points.size()));
+    for (const auto& [x, y] : places) points.push_back({x / 16.0, y / 16.0});
+    const Order order = pen_path(points, yes);
+    RC_ASSERT(visits_each_once(order, points.size()));
+    RC_ASSERT(crossings_of(along(points, order)) == 0U);
+}
+
+// Random points as dense as in a picture: their number in x grows with the fourth power of x.
+Points dense_to_the_right(std::size_t count, std::uint64_t seed) {
+    Points points = random_points(count, seed);
+    for (Point& point : points) point.x = std::pow(point.x, 0.2);
+    return points;
+}
+
+// Two hundred clumps of random points.
+Points clumps(std::uint64_t seed) {
+    Points points;
+    for (const Point& clump : random_points(200, seed))
+        for (const Point& point : random_points(20, seed + points.size()))
+            points.push_back({clump.x + point.x / 200, clump.y + point.y / 200});
+    return points;
+}
+
+TEST(PenPath, OfManyPointsHasNoCrossingsAndNoLongSegmentThatAnExchangeWouldShorten) {
+    std::size_t all = 0;
+    for (std::uint64_t seed = 0; seed < 6; ++seed)
+        for (const Points& points :
+             {random_points(4000, seed), dense_to_the_right(4000, seed), clumps(seed)}) {
+            const Points path = along(points, pen_path(points, yes));
+            EXPECT_EQ(crossings_of(path), 0U) << seed;
+            const auto [segments, needless] = long_segments_of(path);
+            EXPECT_EQ(needless, 0U) << "of " << segments << ", " << seed;
+            all += segments;
+        }
+    EXPECT_GT(all, 100U) << "between clumps";
+}
+
+// A star of clumps whose points lie a few units apart: the path goes to a clump and back, and whole
+// numbers hide what is saved if the way there no longer crosses the way back.
+TEST(PenPath, OfPointsThatNearlyCoincideHasNoCrossings) {
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        std::mt19937_64 random(seed);
+        Points points{{0, 0}, {1, 1}};
+        for (const Point& clump : Points{{0, 0}, {0.75, 0}, {0, 0.75}, {0.75, 0.75}, {0.5, 0.5}})
+            for (int i = 0; i < 3; ++i)
+                points.push_back({clump.x + std::ldexp(double(random() % 4), -25),
+                                  clump.y + std::ldexp(double(random() % 4), -25)});
+        const Order order = pen_path(points, yes);
+        ASSERT_TRUE(visits_each_once(order, points.size()));
+        ASSERT_EQ(crossings_of(along(points, order)), 0U) << seed;
+    }
 }
 
 TEST(PenPath, GivenAHundredPointsOnOneSpotAndAFewElsewhereThenEachIsVisitedOnce) {
