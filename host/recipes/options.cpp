@@ -264,14 +264,16 @@ constexpr Row kRows[] = {
      "more is seen"},
     {{"frames", "PATTERN", Kind::text, kStipple},
      "In place of IMAGE: the pictures of a sequence, such as 'in/*.png', in the order of their "
-     "names, each to a file -o 'out/{frame}.svg'. Each dot keeps its index, except with "
-     "--pen-path, --path-line, --plot-time and --pens"},
+     "names, each to a file -o 'out/{frame}.svg'. Each dot keeps its index, except along a path "
+     "of a pen and with --pens: with --dot-size 0.5mm give --no-pen-path"},
     {{"keep-inside", "", Kind::flag, kStipple},
      "Keeps dots off white, and in the picture: dots that overhang an edge are moved inwards, and "
      "in a shape narrower than a dot they are smaller and denser, but not smaller than a pen. "
      "Where the picture is black no gaps are left"},
     {{"pen-path", "", Kind::flag, kStipple},
-     "Orders the dots along a short path for a pen, in every format"},
+     "Orders the dots along a short path for a pen, in every format (default with pens: --dot-size "
+     "0.5mm, --pens, or --inks that have pens)"},
+    {{"no-pen-path", "", Kind::flag, kStipple}, "Leaves the dots of pens in the order in which they were made"},
     {{"path-line", "", Kind::flag, kStipple},
      "Draws that path as one line, in .svg .pdf .png, in place of dots: as wide as the pen of "
      "--dot-size or, without it, so wide that its ink is as much as the picture is dark"},

@@ -102,6 +102,8 @@ constexpr Pairs kPairs[] = {
     {kStipple, "seconds-per-dot seconds-per-metre", Needs::one_of,
      "dot-size pens inks pen-path path-line plot-time", "is the time of a pen"},
     {kStipple, "seconds-per-dot", Needs::none_of, "path-line", "the pen stays down on a line"},
+    {kStipple, "no-pen-path", Needs::none_of, "pen-path path-line plot-time",
+     "dots then come in the order of a path"},
     {kStipple, "path-line", Needs::none_of, "along pens size-by-tone keep-inside scale",
      "a line has no dots of its own"},
     {kStipple, "plot-time", Needs::none_of, "count scale limit ink-counts",

@@ -18,6 +18,7 @@ struct Reader {
         read(option, text, *number);
     }
     void operator()(bool* flag) const { *flag = true; }
+    void operator()(std::optional<bool>* flag) const { *flag = true; }
     void operator()(Boundary* boundary) const { *boundary = Boundary::torus; }
     void operator()(std::string* value) const { *value = text; }
     void operator()(std::vector<std::string>* values) const { values->push_back(text); }
@@ -140,7 +141,7 @@ std::vector<GivenOption> given_in(Commands command, const Targets& targets, cons
         const auto found = targets.find(option->name);
         if (found == targets.end()) continue;
         const Value value = value_of(found->second);
-        if (value == value_of(usual.at(option->name))) continue;
+        if (value == value_of(usual.at(option->name)) || value == Value(false)) continue;
         given.push_back({option->name, {}});
         if (option->kind != Kind::flag) given.back().values.push_back(text_of(value));
     }

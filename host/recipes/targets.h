@@ -31,8 +31,8 @@ Take take_by(To& to) {
 }
 
 // A variable or a function. Nothing but pointers, which keeps lists of targets small.
-using Target = std::variant<bool*, Boundary*, double*, std::optional<double>*, std::uint32_t*,
-                            std::optional<std::uint32_t>*, std::uint64_t*,
+using Target = std::variant<bool*, std::optional<bool>*, Boundary*, double*, std::optional<double>*,
+                            std::uint32_t*, std::optional<std::uint32_t>*, std::uint64_t*,
                             std::optional<std::uint64_t>*, std::string*, std::vector<std::string>*,
                             std::optional<Mode>*, std::optional<Metric>*, Take>;
 

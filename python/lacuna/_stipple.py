@@ -57,7 +57,7 @@ def stipple(
     pens: str | None = None,
     paper_size: str | None = None,
     margin: str | None = None,
-    pen_path: bool = False,
+    pen_path: bool | None = None,
     path_line: bool = False,
     plot_time: str | None = None,
     seconds_per_dot: SupportsFloat | None = None,
@@ -155,8 +155,9 @@ def stipple(
     paper_size, margin : str, optional
         The sheet, such as 'A5' or '200x150mm', and its margin, such as '10mm', by default 0. The
         picture lies in its middle, as large as the margin allows, and saved pictures show it.
-    pen_path : bool
-        Order the dots of each ink along a short path of the pen.
+    pen_path : bool, optional
+        Order the dots of each ink along a short path of the pen: by default with ``dot_size``,
+        ``pens``, or ``inks`` that have pens.
     path_line : bool
         Draw that path as one line for each ink, in place of dots.
     plot_time : str, optional

@@ -29,6 +29,8 @@ ON_A6 = ["--paper-size", "A6", "--margin", "5mm"]
             {"n": 300, "inks": "black:0.5mm,red:1mm", "pen_path": True},
             ["--count", 300, "--inks", "black:0.5mm,red:1mm", "--pen-path"],
         ),
+        ({"n": 300, "dot_size": "1mm", "pen_path": False},
+         ["--count", 300, "--dot-size", "1mm", "--no-pen-path"]),
         ({"along": 4, "dot_size": "1mm"}, ["--along", 4, "--dot-size", "1mm"]),
         ({"path_line": True, "dot_size": "1mm"}, ["--path-line", "--dot-size", "1mm"]),
         (
@@ -56,7 +58,7 @@ def test_each_pen_is_a_layer_and_the_time_is_known() -> None:
     made = lacuna.stipple(ramp, 300, seed=1, pens="0.3mm,0.5mm", **A6)
     assert made.pens == {"0.3mm": 0.3, "0.5mm": 0.5} and list(made.inks or ()) == list(made.pens)
     assert made.ink is not None and set(made.ink) == {0, 1} and (np.diff(made.ink) >= 0).all()
-    assert 75 < made.plot_seconds < 90 and made.path_length > 0 and not made.for_a_pen
+    assert 75 < made.plot_seconds < 90 and made.path_length > 0 and made.for_a_pen
     line = lacuna.stipple(ramp, 300, seed=1, path_line=True)
     assert line.line_width > 0 and line.for_a_pen and line.pens is None and line.paper is None
     strokes = lacuna.stipple(ramp, seed=1, along=3, dot_size="0.5mm", **A6)

@@ -216,8 +216,9 @@ TEST(Stipple, WithAPenAndAScaleIsTheSetWithoutThePenAndIsProven) {
     const Folder folder;
     const Names scaled{"stipple", kRaccoon, "--scale", "0.02", "--relax", "0", "--mode", "exact"};
     expect_success(joined(scaled, {"--quiet", "-o", folder.path("plain.txt")}));
-    expect_success(joined(scaled, {"--quiet", "--dot-size", "0.5mm", "--paper-size", "A4", "-o",
-                                   folder.path("pen.txt"), "-o", folder.path("pen.json")}));
+    expect_success(
+        joined(scaled, {"--quiet", "--dot-size", "0.5mm", "--paper-size", "A4", "--no-pen-path",
+                        "-o", folder.path("pen.txt"), "-o", folder.path("pen.json")}));
     EXPECT_EQ(content_of(folder.path("pen.txt")), content_of(folder.path("plain.txt")));
     expect_success({"verify", folder.path("pen.json"), "--field", kRaccoon, "--light"});
 }

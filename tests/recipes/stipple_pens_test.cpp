@@ -38,6 +38,32 @@ TEST(Stippling, ForAPenHasTheSameDotsOfEachInkOnAShortPath) {
     EXPECT_LT(path.path_length, path.admitted_length);
 }
 
+TEST(Stippling, OfPensIsOnAShortPathUnlessThatIsNotWanted) {
+    const StippleOptions plain = counted(200), inks = in_inks("red:0.5mm,blue:1mm", 200);
+    StippleOptions pen = plain, pens = plain, strokes = plain, pen_of_inks = in_inks("red", 200);
+    pen.pens = pen_of_inks.pens = Pens{1, 1};
+    pens.pens = Pens{1, 2, {1, 2}};
+    strokes.pens = Pens{1, 1};
+    strokes.tone.along = 4;
+    for (StippleOptions options : {plain, in_inks("red", 200)})
+        EXPECT_FALSE(stipple(kDrawing, options).is_for_a_pen);
+    for (StippleOptions options : {pen, pens, strokes, inks, pen_of_inks}) {
+        const Stippling path = stipple(kDrawing, options);
+        EXPECT_TRUE(path.is_for_a_pen);
+        EXPECT_LT(path.path_length, path.admitted_length);
+        options.pen_path = false;
+        const Stippling made = stipple(kDrawing, options);
+        EXPECT_FALSE(made.is_for_a_pen);
+        EXPECT_GT(made.path_length, path.path_length);
+        EXPECT_EQ(sorted(made.result.points), sorted(path.result.points));
+    }
+    StippleOptions line = pen;
+    line.path_line = true;
+    line.pen_path = false;
+    EXPECT_EQ(refusal_of([&] { stipple(kDrawing, line); }),
+              "no-pen-path with --path-line: dots then come in the order of a path");
+}
+
 TEST(Stippling, ForATimeHasAboutAsManyDotsAsAPlotterDrawsInIt) {
     for (const char* const inks : {"", "red,black,blue"})
         for (const Plotter plotter : {Plotter{}, Plotter{0, 2}, Plotter{1, 0}}) {

@@ -84,8 +84,9 @@ function optionsNow() {
 const has = (o, option) => o.some(([name]) => name === option);
 const controlOf = (option) => controls().find((control) => control.dataset.option === option);
 const relaxOf = (o) => has(o, "along") ? 0 : Number(o.find(([name]) => name === "relax")?.[1] ?? controlOf("relax").dataset.usual);
-// The same set, placed roughly.
-const quick = (o) => [...o.filter(([name]) => name !== "relax" && name !== "pen-path"), ["relax", String(QUICK_RELAX)]];
+// The same set, placed roughly, and without a path unless it is drawn along one.
+const quick = (o) => [...o.filter(([name]) => name !== "relax" && name !== "pen-path"), ["relax", String(QUICK_RELAX)],
+    ...(has(o, "path-line") || has(o, "plot-time") ? [] : [["no-pen-path", ""]])];
 const formOf = (o) => [kind, ...o.flat()].map((text) => `${text}\n`).join("");
 const keyOf = (o) => JSON.stringify([kind, usesPicture() && picture.number, o]);
 const baseName = () => (kind === "stipple" ? picture.name.replace(/\.[^.]*$/, "") || "dots" : "points");
@@ -398,6 +399,7 @@ function update() {
     $("pen-row").hidden = pens !== "pen";
     $("pens-row").hidden = pens !== "pens";
     const hide = (rows, isHidden) => document.querySelectorAll(rows).forEach((row) => (row.hidden = isHidden));
+    hide("#pen-path-row", pens !== "radius" || isLine); // the dots of pens are ordered
     hide(".tone-row", pens !== "radius" || isLine);
     hide(".along-row", !isAlong);
     hide(".relax-row, #ink-kind-row, #ink-list", isAlong); // long dots are black and not relaxed

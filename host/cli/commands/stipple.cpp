@@ -47,7 +47,7 @@ Examples:
   lacuna stipple photo.jpg --scale 0.003 -o dots.png         as many as there is room for
   lacuna stipple photo.jpg --count 20000 --relax 0 -o dots.pdf    grainy: the set of the article
   lacuna stipple photo.jpg --scale 0.003 --relax 0 --mode exact -o dots.npy   no gap is left
-  lacuna stipple photo.jpg --dot-size 0.5mm --paper-size A6 --margin 8mm --pen-path -o plot.svg
+  lacuna stipple photo.jpg --dot-size 0.5mm --paper-size A6 --margin 8mm -o plot.svg
                                                              for a plotter with a pen of 0.5 mm
   lacuna stipple photo.jpg --pens 0.5mm,0.8mm,1.2mm --paper-size A5 --plot-time 1h -o plot.svg
                                                              three pens, and an hour's plot
@@ -79,8 +79,8 @@ there are as many dots as cover the area that the picture's darkness asks for. A
 if --count, --scale or --plot-time give less than half of that area, or more than twice. Without
 --dot-size and --pens, --size-by-tone makes dots in dark areas larger.
 
-With --plot-time 1h there are as many dots as a plotter draws in an hour, ordered along a short path
-as with --pen-path.
+The dots of pens are ordered along a short path, unless --no-pen-path is given. With --plot-time 1h
+there are as many dots as a plotter draws along it in an hour.
 
 With --along 4 dots are ellipses, up to four times as long as wide, along the picture's edges. They
 are made in --mode exact and are not relaxed.
@@ -168,7 +168,7 @@ Json json_of(const StippleCommand& all, const StippleOptions& options, const Sti
     if (options.paper_colour != kWhitePaper)
         json["paper_colour"] = files::hex_of(options.paper_colour);
     if (!options.ink_counts.empty()) json["ink_counts"] = options.ink_counts;
-    json["pen_path"] = options.pen_path;
+    json["pen_path"] = made.is_for_a_pen;
     if (options.path_line) json["path_line"] = true;
     if (options.keep_inside) json["keep_inside"] = true;
     if (options.size_by_tone != 0) json["size_by_tone"] = options.size_by_tone;
@@ -218,8 +218,7 @@ std::string plot_text(const StippleOptions& options, const files::PointSet& set,
     const std::string dots =
         options.path_line ? ""
                           : fmt::format("{:.3g} s a dot and ", options.plotter.seconds_per_dot);
-    return fmt::format(", pen path {:.2f} m{}, about {} at {}{:.3g} s a metre", millimetres / 1000,
-                       made.is_for_a_pen ? "" : " (shorter with --pen-path)",
+    return fmt::format(", pen path {:.2f} m, about {} at {}{:.3g} s a metre", millimetres / 1000,
                        time_text(made.plot_seconds), dots, options.plotter.seconds_per_metre);
 }
 
@@ -284,7 +283,7 @@ void run(const CommandLine& line, const StippleCommand& all) {
         StippleCommand one = command_of(frame);
         if (!dots.empty()) {
             one.stipple.request.count = dots.size();
-            one.stipple.pen_path = one.stipple.pen_path || one.stipple.plot_seconds;
+            if (one.stipple.plot_seconds) one.stipple.pen_path = true;
             one.stipple.plot_seconds.reset();
             one.stipple.start_points = std::move(dots);
         }

@@ -89,7 +89,8 @@ struct StippleOptions {
     // Keeps dots off white and in the picture: dots that overhang an edge are moved inwards, and in
     // a shape narrower than a dot they are smaller and denser, but not smaller than a pen.
     bool keep_inside = false;
-    bool pen_path = false;  // orders the dots of each ink along a short path
+    // Orders the dots of each ink along a short path. Default: if all inks have pens.
+    std::optional<bool> pen_path{};
     // Draws that path as one line a layer in place of dots (Kaplan & Bosch 2005, TSP art). Dots lie
     // as densely as importance squared, so that the line has as much ink as the picture is dark.
     bool path_line = false;

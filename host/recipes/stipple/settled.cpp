@@ -34,6 +34,7 @@ recipes::CommandLine line_of(StippleOptions options) {
     if (!options.inks.empty()) line.given.push_back({"inks", {options.inks.front().name}});
     if (!options.ink_counts.empty())
         line.given.push_back({"ink-counts", {std::to_string(options.ink_counts.front())}});
+    if (options.pen_path == false) line.given.push_back({"no-pen-path", {}});
     if (options.pens)
         line.given.push_back({options.pens->widths_mm.empty() ? "dot-size" : "pens",
                               {shortest(options.pens->least_mm) + "mm"}});
@@ -71,6 +72,10 @@ void check_inks(const StippleOptions& options) {
                          fmt::format("must be one for each ink, {}", options.inks.size()));
     if (std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}) == 0)
         throw BadRequest("ink-counts", "0", "must not be 0 for all inks");
+}
+
+bool has_pens(const StippleOptions& options) {
+    return options.pens || (!options.inks.empty() && options.inks.front().pen_mm != 0);
 }
 
 void check_pens(const StippleOptions& options) {
@@ -158,7 +163,8 @@ Stippling recipes::settled(const StippleOptions& options) {
                          fmt::format("must be the number of dots to start with, {}",
                                      options.start_points.size()));
     made.paper_colour = options.paper_colour;
-    made.is_for_a_pen = options.pen_path || options.path_line || options.plot_seconds;
+    made.is_for_a_pen =
+        options.pen_path.value_or(has_pens(options)) || options.path_line || options.plot_seconds;
     recipes::settle(given, made.request);
     recipes::check_moves(made.request, {.iterations = made.iterations});
     return made;

@@ -40,6 +40,10 @@ void read_plot_time(const std::string& text, std::optional<double>& seconds) {
     seconds = read_time("plot-time", text);
 }
 
+void read_no_path(const std::string&, std::optional<bool>& pen_path) {
+    pen_path = false;
+}
+
 void read_counts(const std::string& text, std::vector<std::uint64_t>& counts) {
     for (const std::string& part : parts_of_list(text))
         read("ink-counts", part, counts.emplace_back());
@@ -66,6 +70,7 @@ Targets targets_of(StippleOptions& options) {
                     {"size-by-tone", &options.size_by_tone},
                     {"keep-inside", &options.keep_inside},
                     {"pen-path", &options.pen_path},
+                    {"no-pen-path", take_by<read_no_path>(options.pen_path)},
                     {"path-line", &options.path_line},
                     {"plot-time", take_by<read_plot_time>(options.plot_seconds)},
                     {"seconds-per-dot", &options.plotter.seconds_per_dot},
