@@ -8,6 +8,9 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/angle.h"
+#include "base/polling.h"
+
 namespace lacuna::drawing {
 namespace {
 
@@ -19,7 +22,44 @@ Page page_with(const Domain& domain, double width, double height, double scale, 
     return {width, height, scale, left - domain.x0 * scale, bottom + domain.y0 * scale};
 }
 
+// How far ink reaches over the domain's edges, in the domain's units.
+double overhang_of(const files::PointSet& set, const Style& style) {
+    const Domain& domain = set.domain;
+    double overhang = 0;
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        ask_after();
+        double x = style.line_width / 2, y = x;  // half of the ink's width and height
+        if (style.line_width == 0)
+            x = y = (style.diameters.empty() ? dot_diameter(set) : style.diameters[i]) / 2;
+        if (!set.ellipses.empty()) {
+            const auto& [a, b, angle] = set.ellipses[i];
+            const double longer = x * std::sqrt(a / b), shorter = x * std::sqrt(b / a);
+            const Direction way = direction_of(angle);
+            const auto half = [&](double cosine, double sine) {
+                const double u = longer * cosine, v = shorter * sine;
+                return std::sqrt(u * u + v * v);
+            };
+            x = half(way.x, way.y);
+            y = half(way.y, way.x);
+        }
+        const Point at = domain.from_corner(set.points[i]);
+        overhang = std::max(
+            {overhang, x - at.x, x - (domain.width - at.x), y - at.y, y - (domain.height - at.y)});
+    }
+    return overhang;
+}
+
 }  // namespace
+
+Paper with_room_for_ink(const files::PointSet& set, const Style& style) {
+    Paper sheet = *style.sheet;
+    const double overhang = overhang_of(set, style);
+    Domain inked = set.domain;
+    inked.width += 2 * overhang;
+    inked.height += 2 * overhang;
+    sheet.margin_mm += overhang * millimetres_per_unit(files::PointSet{{}, inked}, style);
+    return sheet;
+}
 
 Page page_of(const files::PointSet& set, const Style& style, double units_per_point) {
     if (!style.sheet) {

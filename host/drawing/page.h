@@ -32,6 +32,10 @@ Page page_of(const files::PointSet& set, const Style& style, double units_per_po
 // The diameter of the dots if all have the same.
 double dot_diameter(const files::PointSet& set);
 
+// The style's sheet with a margin that is wider by as much as the ink of a set's dots or lines
+// reaches over the domain's edges: all ink then lies within the sheet's own margin.
+Paper with_room_for_ink(const files::PointSet& set, const Style& style);
+
 // Calls `stroke(points, diameter)` for dots of one size, at most kDotsPerStroke at a time.
 template <class Stroke>
 void for_each_stroke(std::span<const Point> points, double diameter, const Stroke& stroke) {

@@ -252,7 +252,7 @@ constexpr Row kRows[] = {
      "Such as 210x297mm (or cm, in, pt); or A0 to A6, letter, legal, tabloid, which are turned to "
      "suit the picture"},
     {{"margin", "D", Kind::text, kDrawn},
-     "Margin around the dots, with --paper-size (default 0mm)"},
+     "Margin around the dots, with --paper-size (default 0mm); no ink of stipple lies in it"},
     {{"dpi", "X", Kind::number, kDrawn},
      "Pixels per inch of .png (default 144, or more where dots would be under 4 pixels apart)"},
     {{"ellipse-columns", "", Kind::flag, kSample | kStipple},

@@ -356,7 +356,8 @@ class Stippling(PointSet):
         The width in mm of the pen of each ink, by the ink's name; 0 for an ink without one. With
         ``pens`` each pen is an ink of its own, such as '0.3mm', in ``ink`` and ``inks`` too.
     paper : tuple of three floats, or None
-        Width, height and margin in mm, turned as the picture lies.
+        Width, height and margin in mm, turned as the picture lies. The margin is wider than the one
+        asked for by as much as ink reaches over the picture's edges, such as half of a pen's width.
     are_strokes : bool
         Whether pens draw ``.ellipses`` as strokes: 2 a long with their round ends, 2 b wide.
     line_width : float

@@ -154,7 +154,8 @@ def stipple(
         wider where it is darker, and each pen has a layer of its own.
     paper_size, margin : str, optional
         The sheet, such as 'A5' or '200x150mm', and its margin, such as '10mm', by default 0. The
-        picture lies in its middle, as large as the margin allows, and saved pictures show it.
+        picture lies in its middle, as large as the margin allows, and saved pictures show it. No
+        ink lies in the margin.
     pen_path : bool, optional
         Order the dots of each ink along a short path of the pen: by default with ``dot_size``,
         ``pens``, or ``inks`` that have pens.

@@ -46,7 +46,7 @@ def test_dots_and_drawings_are_the_commands(
     svg = tmp_path / "expected.svg"
     expected = command("stipple", HOPPER, "--seed", 3, *options, *ON_A6, more=svg)
     assert made.points.tobytes() == np.ascontiguousarray(expected[:, :2]).tobytes()
-    assert made.paper is not None and made.paper[2] == 5
+    assert made.paper is not None and made.paper[2] > 5
     made.save(tmp_path / "made.svg")
     files = [(tmp_path / name).read_text() for name in ("made.svg", "expected.svg")]
     drawings = [file[file.index("<g") :] for file in files]  # the command's also has metadata

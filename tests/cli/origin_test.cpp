@@ -103,7 +103,7 @@ TEST(Verify, OfAStippledJsonAsksForDistancesOnly) {
 TEST(Dots, HaveTheirSizesAndMillimetresInFilesWhereADotSizeIsGiven) {
     const Folder folder;
     const Words request{"stipple",  kRaccoon,   "--count", "40",      "--paper-size",
-                        "100x80mm", "--margin", "10mm",    "--quiet", "--dot-size"};
+                        "100x80mm", "--margin", "9mm",     "--quiet", "--dot-size"};
     const auto made = [&](const std::string& size, const std::string& name) {
         Words words = request;
         words.insert(words.end(), {size, "-o", folder.path(name)});
@@ -116,7 +116,8 @@ TEST(Dots, HaveTheirSizesAndMillimetresInFilesWhereADotSizeIsGiven) {
     ASSERT_EQ(std::sscanf(csv.c_str() + csv.find('\n'), "%lf,%lf,%lf,%lf,%lf,%lf", &x, &y, &radius,
                           &x_mm, &y_mm, &radius_mm),
               6);
-    // The picture is 80 mm wide and 60 mm high, in the middle of the sheet.
+    // The picture is 80 mm wide and 60 mm high, in the middle of the sheet: dots of 2 mm around its
+    // edges do not lie in the margin.
     EXPECT_NEAR(x_mm, 10 + 80 * x, 1e-6);
     EXPECT_NEAR(y_mm, 10 + 80 * y, 1e-6);
     EXPECT_NEAR(radius_mm, 1, 1e-9);

@@ -1,4 +1,4 @@
-// Given --pen-path, dots come in the order of a short way.
+// Given a pen, dots come in the order of a short way.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -16,9 +16,9 @@ using lacuna::Point;
 
 TEST(APenPath, OnPaperIsDrawnInItsOrderAndInMillimetres) {
     const Folder folder;
-    const Names request{"--count", "300", "--pen-path"};
+    const Names request{"--count", "300", "--dot-size", "2mm"};
     const std::vector<Point> path = points_of(kRaccoon, request);
-    const Names on_paper = joined(request, {"--paper-size", "A4", "--margin", "20mm"});
+    const Names on_paper = joined(request, {"--paper-size", "A4", "--margin", "19mm"});
     const std::string report = folder.path("report.json");
     ASSERT_EQ(
         stipple(kRaccoon, joined(on_paper, {"--report", report}), folder.path("a.svg")).exit_code,
@@ -29,7 +29,7 @@ TEST(APenPath, OnPaperIsDrawnInItsOrderAndInMillimetres) {
     const std::string svg = content_of(folder.path("a.svg"));
     EXPECT_NE(svg.find("width=\"297mm\" height=\"210mm\""), std::string::npos)
         << "A4 lies across for a wide picture";
-    // 170 mm high between the margins, and so 226.67 mm wide.
+    // 170 mm high between the margins and half of the pen, and so 226.67 mm wide.
     const double scale = 170 / 0.75;
     std::size_t at = 0;
     for (const Point& point : path) {

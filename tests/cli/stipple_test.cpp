@@ -78,7 +78,8 @@ TEST(Stipple, GivenTenStepsOfGreyThenEachHasItsLightInEveryWay) {
     std::string pixels;
     for (int step = 0; step < 10; ++step) pixels += static_cast<char>(step * 255 / 9);
     const std::string steps = grey_picture(folder, 10, 1, pixels);
-    const Names paper{"--paper-size", "250x25mm"};
+    // Half of the widest pen, 0.8 mm, is free around the picture.
+    const Names paper{"--paper-size", "250.8x25.8mm"};
     for (const Names& way :
          {Names{"--count", "20000"}, Names{"--count", "20000", "--size-by-tone", "0.5"},
           Names{"--count", "20000", "--inks", "black"}, joined({"--dot-size", "0.4mm"}, paper),
@@ -139,19 +140,19 @@ TEST(Stipple, WarnsInOneLineOfDotsWithLessThanHalfOfTheInkOrMoreThanTwice) {
     const Folder folder;
     const std::string grey = grey_picture(folder, 1, 1, bytes({188}));  // half of the light
     const auto warning = [&](const Names& more) {
-        Names words{"stipple", grey, "--paper-size", "120x100mm",         "--margin", "10mm",
+        Names words{"stipple", grey, "--paper-size", "121x101mm",         "--margin", "10mm",
                     "--relax", "0",  "-o",           folder.path("a.svg")};
         words.insert(words.end(), more.begin(), more.end());
         const std::string err = run(words).err;
         return err.starts_with("lacuna: ") ? err.substr(0, err.find('\n')) : "";
     };
-    // 80 mm x 80 mm, half of it black, is 4051 dots of 1 mm.
+    // Within the margins and half of a pen of 1 mm 80 mm x 80 mm, half of it black, is 4051 dots.
     EXPECT_EQ(warning({"--count", "100", "--dot-size", "1mm"}),
               "lacuna: 100 dots of 1mm have 2.5 % of the picture's ink: about 4050 dots, or "
               "--dot-size 6.4mm, would suit");
     EXPECT_EQ(warning({"--count", "1000", "--dot-size", "4mm"}),
-              "lacuna: 1000 dots of 4mm have 395 % of the picture's ink: about 253 dots, or "
-              "--dot-size 2mm, would suit");
+              "lacuna: 1000 dots of 4mm have 426 % of the picture's ink: about 235 dots, or "
+              "--dot-size 1.9mm, would suit");
     EXPECT_EQ(warning({"--count", "2100", "--dot-size", "1mm"}), "");
     EXPECT_EQ(warning({"--count", "8000", "--dot-size", "1mm"}), "");
     EXPECT_EQ(warning({"--dot-size", "1mm"}), "");
@@ -206,7 +207,7 @@ TEST(Stipple, WithoutACountMakesAsManyDotsAsSuitThePictureAndSaysSo) {
         << outcome.err;
     // 80 mm x 40 mm, half of it covered by dots of pi / 4 square mm: 1.12^2 times as many as their
     // areas alone ask for, because they overlap.
-    const Outcome sized = run({"stipple", image, "--paper-size", "80x40mm", "--dot-size", "1mm",
+    const Outcome sized = run({"stipple", image, "--paper-size", "81x41mm", "--dot-size", "1mm",
                                "-o", folder.path("a.svg")});
     EXPECT_TRUE(sized.err.starts_with("2555 dots (")) << sized.err;
 }

@@ -54,8 +54,9 @@ TEST(Stippling, ChoosesANumberThatSuitsThePictureOrThePens) {
     // Black counts as 512 x 512 pixels, 16 of them a dot.
     EXPECT_EQ(stipple(kBlack, {.relax = 1}).result.points.size(), 16384U);
     const Stippling drawn =
-        stipple(kBlack, {.relax = 1, .pens = Pens{2, 2}, .paper = Paper{100, 120, 10}});
-    // 80 mm x 80 mm over pi mm^2, and 1.12^2 times as many because dots overlap.
+        stipple(kBlack, {.relax = 1, .pens = Pens{2, 2}, .paper = Paper{100, 120, 9}});
+    // Within the margins and half of the pen 80 mm x 80 mm over pi mm^2, and 1.12^2 times as many
+    // because dots overlap.
     EXPECT_EQ(drawn.result.points.size(), 2555U);
     EXPECT_NEAR(drawn.dots_for_ink, 1.12 * 1.12 * 6400 / 3.14159265, 1e-3);
     EXPECT_EQ(drawn.diameters.front(), 2.0 / 80);

@@ -183,7 +183,7 @@ Json report_of_the_rest(const StippleCommand& all, const std::vector<Output>& ou
             {{"dot_size_mm", json_of_pens(all.stipple.pens)},
              {"paper_mm",
               made.paper ? Json({made.paper->width_mm, made.paper->height_mm}) : Json(nullptr)},
-             {"margin_mm", made.paper ? made.paper->margin_mm : 0},
+             {"margin_mm", made.paper ? all.stipple.paper->margin_mm : 0},
              {"dpi", resolution}});
     Json more{{"request", std::move(options)},
               {"image", {{"columns", made.columns}, {"rows", made.rows}}}};
@@ -239,6 +239,7 @@ std::vector<Point> run_one(const CommandLine& line, const StippleCommand& all) {
     const Json asked = json_of(all, options, dots);
     const files::Origin origin = origin_of(line, request, made.result, asked);
     drawing::Style style = style_of(drawing, request.domain);
+    style.sheet = dots.paper;
     style.are_strokes = dots.are_strokes;
     style.line_width = dots.line_width;
     style.paper_colour = options.paper_colour;

@@ -39,7 +39,7 @@ struct Pens {
 struct Paper {
     double width_mm = 0;
     double height_mm = 0;
-    double margin_mm = 0;
+    double margin_mm = 0;  // of stipple(): no ink lies in it
     bool may_turn = false;  // to landscape, if the picture is wider than high
 };
 
@@ -117,7 +117,9 @@ struct Stippling {
     std::vector<Layer> layers{};       // the inks, or pens, and their dots; empty: black
     std::uint32_t iterations = 0;      // how often the dots were moved
     std::optional<Relaxed> relaxed{};  // how, without the points
-    std::optional<Paper> paper{};      // as it lies for this picture
+    // As it lies for this picture. Its margin is wider than that of the options by as much as ink
+    // reaches over the picture's edges, such as half of a pen's width.
+    std::optional<Paper> paper{};
     Colour paper_colour = kWhitePaper;
     bool is_for_a_pen = false;  // whether dots were ordered along a path
 

@@ -74,8 +74,13 @@ void check_inks(const StippleOptions& options) {
         throw BadRequest("ink-counts", "0", "must not be 0 for all inks");
 }
 
-bool has_pens(const StippleOptions& options) {
-    return options.pens || (!options.inks.empty() && options.inks.front().pen_mm != 0);
+void check_room(const StippleOptions& options) {
+    if (!options.paper) return;
+    const auto& [width, height, margin, may_turn] = *options.paper;
+    const double pen = recipes::widest_pen(options);
+    if (2 * margin + pen >= std::min(width, height))
+        throw BadRequest("margin", shortest(margin) + "mm",
+                         "leaves no room on the paper for a pen of " + shortest(pen) + "mm");
 }
 
 void check_pens(const StippleOptions& options) {
@@ -133,6 +138,12 @@ void check_plotter(const StippleOptions& options) {
 
 }  // namespace
 
+double recipes::widest_pen(const StippleOptions& options) {
+    double widest = options.pens ? options.pens->most_mm : 0;
+    for (const Ink& ink : options.inks) widest = std::max(widest, ink.pen_mm);
+    return widest;
+}
+
 Stippling recipes::settled(const StippleOptions& options) {
     pictures::check(options.tone);
     recipes::refuse_pairs(line_of(options));
@@ -146,6 +157,7 @@ Stippling recipes::settled(const StippleOptions& options) {
                          "is not for a --dot-size in mm; give two, such as 0.3mm..0.8mm");
     if (options.paper) drawing::check(*options.paper);
     check_pens(options);
+    check_room(options);
     check_plotter(options);
     const recipes::Given given{.is_picture = true,
                                .has_inks = !options.inks.empty(),
@@ -163,8 +175,8 @@ Stippling recipes::settled(const StippleOptions& options) {
                          fmt::format("must be the number of dots to start with, {}",
                                      options.start_points.size()));
     made.paper_colour = options.paper_colour;
-    made.is_for_a_pen =
-        options.pen_path.value_or(has_pens(options)) || options.path_line || options.plot_seconds;
+    made.is_for_a_pen = options.pen_path.value_or(recipes::widest_pen(options) != 0) ||
+                        options.path_line || options.plot_seconds;
     recipes::settle(given, made.request);
     recipes::check_moves(made.request, {.iterations = made.iterations});
     return made;

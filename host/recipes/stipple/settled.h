@@ -9,4 +9,7 @@ namespace lacuna::recipes {
 // that stipple() refuses with every picture.
 Stippling settled(const StippleOptions& options);
 
+// The width of the widest pen in mm; 0 without pens.
+double widest_pen(const StippleOptions& options);
+
 }  // namespace lacuna::recipes

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <numbers>
 #include <numeric>
 #include <span>
 #include <string>
@@ -25,6 +23,7 @@
 #include "recipes/make.h"
 #include "recipes/stipple/place.h"
 #include "recipes/stipple/settled.h"
+#include "recipes/stipple/strokes.h"
 
 namespace lacuna {
 namespace {
@@ -48,9 +47,11 @@ public:
         request().field = tones.has_inks() ? &tones.sum : &tones.densities().front();
         made.columns = all.columns;
         made.rows = all.rows;
-        if (options.paper) made.paper = drawing::turned(*options.paper, request().domain);
-        style_.sheet = made.paper;
-        mm_ = drawing::millimetres_per_unit(files::PointSet{{}, request().domain}, style_);
+        if (options.paper) {
+            style_.sheet = drawing::turned(*options.paper, request().domain);
+            style_.sheet->margin_mm += recipes::widest_pen(options) / 2;
+        }
+        find_scale();
     }
 
     void run() {
@@ -71,6 +72,7 @@ public:
             made_.ellipses = ellipses_of(made_.result.points, *request().field, made_.result.scale,
                                          request().domain);
         if (made_.are_strokes) turn_into_strokes();
+        make_room();
         made_.layers = std::move(layers_);
         request().field = nullptr;
     }
@@ -82,6 +84,10 @@ private:
         files::PointSet set{made_.result.points, request().domain};
         set.layers = layers_;
         return set;
+    }
+
+    void find_scale() {
+        mm_ = drawing::millimetres_per_unit(files::PointSet{{}, request().domain}, style_);
     }
 
     // Sets the number of dots, in all and of each ink.
@@ -181,6 +187,19 @@ private:
         made_.diameters = drawing::diameters_of(tones_, dots(), style_);
     }
 
+    // Lets no ink lie in the margin. The constructor has made room for pens.
+    void make_room() {
+        if (style_.sheet && recipes::widest_pen(options_) == 0) {
+            drawing::Style style = style_;
+            style.diameters = made_.diameters;
+            style.line_width = made_.line_width;
+            files::PointSet set = dots();
+            set.ellipses = made_.ellipses;
+            style_.sheet = drawing::with_room_for_ink(set, style);
+        }
+        made_.paper = style_.sheet;
+    }
+
     // The area of all ink, on itself or on paper.
     double ink() { return drawing::ink_of(tones_, request().domain); }
 
@@ -199,37 +218,29 @@ private:
         return seconds - strokes;
     }
 
-    // Makes strokes of the ellipses: as long as the root of their ratio of radii, so that all
-    // strokes together have as much ink as the picture is dark.
     void turn_into_strokes() {
-        const auto count = static_cast<double>(made_.ellipses.size());
-        double roots = 0;
-        for (const Ellipse& one : made_.ellipses) roots += std::sqrt(one.a / one.b);
-        // A stroke has round ends: of its length times the width they lack 1 - pi / 4 squares.
-        const double lacking = count * pen() * (1 - std::numbers::pi / 4);
-        const double length = (ink() / pen() + lacking) / roots;
-        for (Ellipse& one : made_.ellipses)
-            one = {std::max(pen(), length * std::sqrt(one.a / one.b)) / 2, pen() / 2, one.angle};
+        std::vector<Point>& middles = made_.result.points;
+        recipes::make_strokes(made_.ellipses, ink(), pen());
+        if (recipes::cut_strokes(middles, made_.ellipses, request().domain))
+            recipes::note_moves(request(), made_.result);
+        recipes::turn_strokes(middles, made_.ellipses);
         made_.dots_for_ink = 0;
         time_the_strokes();
     }
 
-    // The pen goes from the end of a stroke to the nearer end of the next one.
     void time_the_strokes() {
         double& path = made_.path_length = 0;
-        Point from = made_.result.points.empty() ? Point{} : made_.result.points.front();
         for (std::size_t i = 0; i < made_.ellipses.size(); ++i) {
-            auto& [a, b, angle] = made_.ellipses[i];
+            const Ellipse& stroke = made_.ellipses[i];
             const Point middle = made_.result.points[i];
-            const double x = (a - b) * std::cos(angle), y = (a - b) * std::sin(angle);
-            const auto way_to = [&](double sign) {
-                return std::hypot(middle.x + sign * x - from.x, middle.y + sign * y - from.y);
-            };
-            const bool turns = way_to(1) < way_to(-1);
-            path += std::min(way_to(1), way_to(-1)) + 2 * (a - b);
-            made_.admitted_length += 2 * (a - b);
-            from = {middle.x + (turns ? -x : x), middle.y + (turns ? -y : y)};
-            if (turns) angle += std::numbers::pi;
+            const double length = 2 * (stroke.a - stroke.b);
+            made_.admitted_length += length;
+            path += length;
+            if (i == 0) continue;
+            const Point from =
+                recipes::end_of(made_.result.points[i - 1], made_.ellipses[i - 1], 1);
+            const Point to = recipes::end_of(middle, stroke, -1);
+            path += std::hypot(to.x - from.x, to.y - from.y);
         }
         made_.plot_seconds = drawing::seconds_of(plotter(), made_.ellipses.size(), path * mm_);
     }
