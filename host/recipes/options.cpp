@@ -86,7 +86,7 @@ constexpr Row kRows[] = {
      "more with few dots"},
     {{"along", "RATIO", Kind::number, kPicture & ~kMoved},
      "Ellipses instead of disks, up to RATIO times as long as wide, along the picture's edges "
-     "(default 1); in mode exact"},
+     "(default 1); in mode exact. With a --dot-size of stipple, strokes of a pen"},
     {{"light", "", Kind::flag, kPlaced | kMoved},
      "The picture's light counts, as in stipple: its numbers are decoded as sRGB. Without it, what "
      "looks half grey counts half"},

@@ -211,6 +211,9 @@ TEST(Refused, AreWordsThatAreMisspeltMissingOrTooMany) {
         {"sample 0.1", 2, "0.1: no arguments are taken; see"},
         {"sample -r 0.1", 2,
          "-r: no such option, and no arguments are taken, did you mean --radius?"},
+        // A word that the help of an option has.
+        {"stipple a.png --strokes 3", 2, "--strokes: no such option", "see --along;"},
+        {"stipple a.png ------", 2, "------: no such option"},
         {"stipple --count 9", 2, "IMAGE is required (- is standard input)",
          "lacuna stipple --help"},
         {"analyze", 2, "FILE", "lacuna analyze --help"},

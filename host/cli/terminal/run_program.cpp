@@ -74,6 +74,14 @@ bool takes_arguments(const CLI::App& command) {
                        [](const CLI::Option* option) { return option->get_positional(); });
 }
 
+// ", see OPTION" with the first option whose help has the word, such as strokes.
+std::string option_that_explains(const CLI::App& command, const std::string& word) {
+    for (const CLI::Option* option : command.get_options())
+        if ((" " + option->get_description()).find(" " + word) != std::string::npos)
+            return ", see " + option->get_name();
+    return "";
+}
+
 // The message for a word that is neither a command, nor an option or argument of `command`.
 std::string explain_extra(const CLI::App& app, const std::string& extra, const CLI::App* command) {
     if (command == nullptr)
@@ -83,9 +91,14 @@ std::string explain_extra(const CLI::App& app, const std::string& extra, const C
     const std::vector<std::string> options = names_of_options(*command);
     const std::string_view arguments =
         takes_arguments(*command) ? "no more arguments are taken" : "no arguments are taken";
-    if (extra.starts_with("-"))
-        return fmt::format("{}: no such option, and {}{}", shown(extra), arguments,
-                           nearest_text(extra, options));
+    if (extra.starts_with("-")) {
+        constexpr std::size_t kShortestWord = 5;
+        std::string meant = nearest_text(extra, options);
+        if (const std::string word = extra.substr(std::min(extra.size(), std::size_t{2}));
+            meant.empty() && word.size() >= kShortestWord)
+            meant = option_that_explains(*command, word);
+        return fmt::format("{}: no such option, and {}{}", shown(extra), arguments, meant);
+    }
     // Typical mistakes are `stipple photo.jpg dots.svg` and `sample help`.
     std::string meant;
     if (command->get_option_no_throw("--output") != nullptr &&
