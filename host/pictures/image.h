@@ -41,7 +41,7 @@ struct Image {
     std::vector<double> luminance;  // rows * columns values from 0 to white; row 0 is the top row
     double white = 1;               // the luminance that counts as white
     std::string name{};             // the picture's name in messages
-    bool is_linear = false;         // the numbers are light, and not encoded as sRGB
+    bool is_linear = false;         // with Tone::light the numbers are not decoded as sRGB
 };
 
 // The picture in the file, or on standard input for "-". The content decides the format, never the
@@ -61,7 +61,7 @@ struct Image {
 // Luminance of colour is 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709). Alpha is composited over
 // `backdrop`. Both use the numbers as they are stored, and no colour profile or transfer curve is
 // undone here: see Tone::light.
-// Samples of 8 or 16 bits and maxval are encoded as sRGB; other numbers are linear light.
+// For Tone::light samples of 8 or 16 bits and maxval are encoded as sRGB; other numbers are light.
 // Samples of 8 or 16 bits (in PGM and PPM: up to maxval) are divided by the largest possible
 // sample, correctly rounded, and white is 1. Numbers of .npy, PFM and HDR stay as they are; white
 // is the largest luminance in the picture, but at least 1.

@@ -2,6 +2,7 @@
 #include "pictures/image.h"
 
 #include <fmt/core.h>
+#include <lacuna/pictures.h>
 #include <sys/resource.h>
 
 #include <algorithm>

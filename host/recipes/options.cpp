@@ -87,9 +87,9 @@ constexpr Row kRows[] = {
     {{"along", "RATIO", Kind::number, kPicture & ~kMoved},
      "Ellipses instead of disks, up to RATIO times as long as wide, along the picture's edges "
      "(default 1); in mode exact. With a --dot-size of stipple, strokes of a pen"},
-    {{"light", "", Kind::flag, kPlaced | kMoved},
-     "The picture's light counts, as in stipple: its numbers are decoded as sRGB. Without it, what "
-     "looks half grey counts half"},
+    {{"light", "", Kind::flag, kPicture},
+     "Areas average as light, for prints seen from afar: grey 128 of 255 has importance 0.78. By "
+     "default they average as the picture's numbers, as on a screen: 0.50"},
     {{"gamma", "X", Kind::number, kPicture},
      "Importance is raised to this power: over 1 lightens middle tones (default 1)"},
     {{"min-importance", "I", Kind::number, kPicture},

@@ -46,6 +46,7 @@ def stipple(
     white: SupportsFloat = 1.0,
     background: Literal["white", "black"] = "white",
     auto_levels: bool = False,
+    light: bool = False,
     gamma: SupportsFloat = 1.0,
     min_importance: SupportsFloat = 0.0,
     sharpen: Whole = 0,
@@ -81,9 +82,9 @@ def stipple(
         A picture: PNG, JPEG, TIFF, WebP, HEIC, AVIF, PGM, PPM, PFM, Radiance HDR or .npy; or an
         array, row 0 on top.
         Black is 0. White is 255 or 65535 for 8-bit and 16-bit numbers; for other numbers it is 1,
-        or the largest number in the array if that is over 1. 8- and 16-bit numbers are decoded as
-        sRGB, and others count as light: dots and paper together reflect the picture's light. Few
-        dots look better lighter, with a ``gamma`` of 2.
+        or the largest number in the array if that is over 1. A grey of number v, from 0 to 1, is
+        covered to 1 - v: made smaller by any viewer, a drawing of the dots is the picture made
+        smaller.
     n : int, optional
         Exactly ``n`` dots. By default, without ``scale``, one dot for 16 black pixels, at most a
         million. A grey pixel counts by its darkness; the longer side counts as 512 to 2048 pixels.
@@ -111,8 +112,8 @@ def stipple(
     inks : str, optional
         Dots in colour: 'cmyk', or inks separated by commas: names such as 'black,red', '#rrggbb' or
         'NAME=#rrggbb'. The dots of each ink are evenly spread, and so are all dots together.
-        Colours are separated in linear light. The result has the dots of the first ink, then of
-        the second, and so on. They begin stratified and are relaxed at least once.
+        The result has the dots of the first ink, then of the second, and so on. They begin stratified
+        and are relaxed at least once.
     black_ink : float, optional
         How much black replaces other inks that would look grey together, 0 to 1; 0.8 by default.
     ink_counts : sequence of int, optional
@@ -129,6 +130,9 @@ def stipple(
         What shows through where the picture is transparent: black for light drawings.
     auto_levels : bool
         Choose ``black`` and ``white`` so that half a percent of the pixels lie beyond each.
+    light : bool
+        Areas average as light, for prints seen from afar: 8- and 16-bit numbers are decoded as
+        sRGB, and others are light already. A grey of 128 of 255 is then covered to 0.78, not 0.50.
     gamma : float
         Importance is raised to this power: over 1 lightens middle tones.
     min_importance : float
@@ -204,8 +208,8 @@ progress
     asked = options(
         n=n, scale=scale, relax=relax, metric=metric, mode=mode, black_ink=black_ink,
         ink_counts=ink_counts, paper_colour=paper_colour, invert=invert, black=black, white=white,
-        background=background, auto_levels=auto_levels,
-        gamma=gamma, min_importance=min_importance, sharpen=sharpen, sharpen_amount=sharpen_amount,
+        background=background, auto_levels=auto_levels, light=light, gamma=gamma,
+        min_importance=min_importance, sharpen=sharpen, sharpen_amount=sharpen_amount,
         along=along, size_by_tone=size_by_tone, keep_inside=keep_inside, dot_size=dot_size,
         pens=pens, paper_size=paper_size, margin=margin, pen_path=pen_path, path_line=path_line,
         plot_time=plot_time, seconds_per_dot=seconds_per_dot,

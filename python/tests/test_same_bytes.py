@@ -71,6 +71,7 @@ def picture_cases() -> list[Case]:
         ({"n": 200, "gamma": 2.0}, ["--count", 200, "--gamma", 2]),
         ({"n": 200, "black": 0.2, "white": 0.8}, ["--count", 200, "--black", 0.2, "--white", 0.8]),
         ({"n": 200, "auto_levels": True}, ["--count", 200, "--auto-levels"]),
+        ({"n": 200, "light": True}, ["--count", 200, "--light"]),
         ({"n": 200, "min_importance": 0.1}, ["--count", 200, "--min-importance", 0.1]),
         ({"n": 200, "size_by_tone": 0.7}, ["--count", 200, "--size-by-tone", 0.7]),
         ({"n": 200, "keep_inside": True}, ["--count", 200, "--keep-inside"]),

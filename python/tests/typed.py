@@ -101,6 +101,7 @@ dots: lacuna.Stippling = lacuna.stipple(
     black=0.1,
     white=0.9,
     auto_levels=False,
+    light=False,
     gamma=1.5,
     min_importance=0.01,
     sharpen=1,

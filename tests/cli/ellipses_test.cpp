@@ -78,7 +78,7 @@ TEST(Ellipses, AlongTheEdgesOfAPictureAreProvenFromIt) {
     const Folder folder;
     const std::string csv = folder.path("a.csv"), dots = folder.path("b.csv");
     const Names along{
-        "--field", LACUNA_EXAMPLES "/raccoon.png", "--light", "--scale", "0.03", "--along", "4"};
+        "--field", LACUNA_EXAMPLES "/raccoon.png", "--scale", "0.03", "--along", "4"};
     ASSERT_EQ(run_with("sample", along, {"--quiet", "--ellipse-columns", "-o", csv}).exit_code, 0);
     EXPECT_TRUE(files::read_whole(csv).starts_with("x,y,a,b,angle\n"));
     Names claim = along;

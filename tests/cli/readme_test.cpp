@@ -11,7 +11,6 @@
 
 #include "expectations.h"
 #include "pictures/image.h"
-#include "pictures/importance.h"
 #include "program.h"
 
 namespace {
@@ -85,9 +84,7 @@ TEST(Readme, HasCommandsThatAllEndWellAndMakeTheirFiles) {
     std::filesystem::create_directory(folder.path("build"));
     std::filesystem::create_symlink(LACUNA_PROGRAM, folder.path("build/lacuna"));
     std::filesystem::create_directory_symlink(LACUNA_EXAMPLES, folder.path("examples"));
-    Image photograph = lacuna::pictures::read_image(LACUNA_EXAMPLES "/raccoon.png");
-    for (double& one : photograph.luminance) one = lacuna::pictures::light_of(one);
-    const double wanted = ink_of(photograph);
+    const double wanted = ink_of(lacuna::pictures::read_image(LACUNA_EXAMPLES "/raccoon.png"));
     std::size_t stippled = 0;
     const Words commands = commands_of_readme();
     EXPECT_GT(commands.size(), 10U);

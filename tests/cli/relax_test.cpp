@@ -40,7 +40,7 @@ TEST(Relax, GivenDotsAndTheirPictureThenItMakesWhatStippleMakesOfThatStart) {
     ASSERT_EQ(
         stipple(kRaccoon, {"--count", "2000", "--relax", "0", "--metric", "mean"}, dots).exit_code,
         0);
-    expect_success({"relax", dots, kRaccoon, "--light", "--quiet", "-o", even});
+    expect_success({"relax", dots, kRaccoon, "--quiet", "-o", even});
     const std::string at_once = folder.path("at_once.npy");
     const Names request{"stipple", kRaccoon, "--count", "2000", "--quiet", "-o", at_once};
     expect_success(joined(request, {"--start", "cells"}));

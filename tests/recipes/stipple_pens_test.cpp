@@ -93,7 +93,7 @@ TEST(Stippling, ForATimeHasAboutAsManyDotsAsAPlotterDrawsInIt) {
 TEST(Stippling, WithPensHasTheirWidthsAndALayerForEach) {
     StippleOptions options{
         .pens = Pens{0.3, 0.8, {0.3, 0.5, 0.8}}, .paper = Paper{60, 60}, .pen_path = true};
-    const Field field = importance_of(ramp(), {.light = true});
+    const Field field = importance_of(ramp(), {});
     const Stippling made = stipple(ramp(), options);
     ASSERT_EQ(made.layers.size(), 3U);
     EXPECT_EQ(made.layers[0].ink.name, "0.3mm");
@@ -139,9 +139,9 @@ TEST(Stippling, InInksWithPensOfTheirOwnHasAsMuchInkOfEachAsThePictureNeeds) {
 
 TEST(Stippling, AlongEdgesWithAPenHasStrokesOfItsWidthAndInkForWhereTheyCross) {
     StippleOptions options{.tone = {.along = 5}, .pens = Pens{0.5, 0.5}, .paper = Paper{100, 100}};
-    Field layers = importance_of(ramp(), {.light = true});
+    Field layers = importance_of(ramp(), {});
     for (double& one : layers.importance) one = drawing::Sizing{.are_strokes = true}.layers_at(one);
-    EXPECT_GT(mean_of(layers), 1.1 * mean_of(importance_of(ramp(), {.light = true})));
+    EXPECT_GT(mean_of(layers), 1.1 * mean_of(importance_of(ramp(), {})));
     for (const std::uint64_t count : {0U, 500U}) {
         if (count != 0) options.request.count = count;
         const Stippling made = stipple(ramp(), options);
@@ -171,8 +171,8 @@ TEST(Stippling, AlongEdgesWithAPenHasStrokesOfItsWidthAndInkForWhereTheyCross) {
 
 TEST(Stippling, AsALineHasInkForThePictureAndForWhereItLiesOnItself) {
     // Black at the left, half of its darkness at the right: less than a quarter as many dots there.
-    const Picture halves{"P2 2 1 255 0 188", "halves"};
-    const double half = importance_of(halves, {.light = true}).importance[1];
+    const Picture halves{"P2 2 1 255 0 128", "halves"};
+    const double half = importance_of(halves, {}).importance[1];
     EXPECT_NEAR(half, 0.5, 0.005);
     StippleOptions options = counted(2000);
     options.path_line = true;
@@ -210,10 +210,8 @@ TEST(Stippling, OnDarkPaperInInksWithSeveralPensCoversWhatEachInkIsNeededFor) {
     EXPECT_NEAR(made.plot_seconds, 600, 60);
     // Where the ramp is dark, so is the paper.
     for (const Point& dot : made.result.points) EXPECT_GT(dot.x, 0.02);
-    const auto right = std::count_if(made.result.points.begin(), made.result.points.end(),
-                                     [](const Point& dot) { return dot.x > 0.5; });
-    EXPECT_GT(double(right), 0.7 * double(made.result.points.size()));
     std::size_t i = 0;
+    double ink = 0, right = 0;
     for (const Layer& layer : made.layers)
         for (std::size_t k = 0; k < layer.dots; ++k, ++i)
             EXPECT_NEAR(mm_of(made) * made.diameters[i], layer.ink.pen_mm, 1e-12);

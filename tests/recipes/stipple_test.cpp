@@ -36,7 +36,7 @@ TEST(Stippling, HasTheNumberOfDotsAskedForAndASizeForEach) {
 }
 
 TEST(Stippling, ThatIsNotRelaxedIsTheSetOfSample) {
-    const Field field = importance_of(kDrawing, {.light = true});
+    const Field field = importance_of(kDrawing, {});
     StippleOptions options;
     options.request.scale = 0.05;
     options.relax = 0;
@@ -132,12 +132,16 @@ TEST(Stippling, OnDarkPaperDrawsWhatIsLight) {
     options.paper_colour = {0, 0, 0};
     const Stippling made = stipple(ramp(), options);
     EXPECT_EQ(made.paper_colour, options.paper_colour);
-    // A grey of 8 bits shows its share of light, which is that of sRGB.
-    const std::vector<Field> fields =
-        separate(ramp(), inks_of("white"), {}, kBlackInk, options.paper_colour);
-    EXPECT_EQ(fields[0].importance[0], 0);
-    EXPECT_NEAR(fields[0].importance[32], std::pow((32. / 63 + 0.055) / 1.055, 2.4), 1e-3);
-    EXPECT_NEAR(fields[0].importance[63], 1, 1e-9);
+    // A grey shows its number, or with light its light, which is that of sRGB.
+    for (const bool light : {false, true}) {
+        const std::vector<Field> fields =
+            separate(ramp(), inks_of("white"), {.light = light}, kBlackInk, options.paper_colour);
+        EXPECT_EQ(fields[0].importance[0], 0);
+        const double number = 32. / 63;
+        EXPECT_NEAR(fields[0].importance[32],
+                    light ? std::pow((number + 0.055) / 1.055, 2.4) : number, 1e-3);
+        EXPECT_NEAR(fields[0].importance[63], 1, 1e-9);
+    }
     // Paper that is hardly not white gives the same inks by the other formula.
     const auto near = separate(kDrawing, inks_of("red,blue"), {}, 0, {255, 255, 254});
     const auto white = separate(kDrawing, inks_of("red,blue"), {}, 0);

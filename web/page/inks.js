@@ -11,9 +11,9 @@ function partsOf(text, layers) {
     return names.map((name, i) => `${name}=${hexOf(layers[(i * layers.length) / names.length].colour)}${text.slice(4)}`);
 }
 
-// Whether one of the inks absorbs more than 0.9 of each channel's light, as in separate.cpp.
+// Whether one of the inks counts as black, as in separator.cpp.
 export function hasBlack(text) {
-    const MOST = 89; // the number of light 0.1
+    const MOST = 89; // of a channel
     return text.split(",").some((part) => {
         const [, name, colour] = part.match(PART) ?? [];
         const digits = (colour ?? name)?.match(/^=?#([0-9a-f]{6})$/i)?.[1];

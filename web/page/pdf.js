@@ -1,7 +1,7 @@
 // Dots as a PDF (PDF 1.4): each is a line of 0.01 pt with round caps, or a longer one if it is a
 // stroke; an ellipse is four curves, and a line through all dots is a line. Each ink is a group of its own,
 // which multiplies what lies under it or, if it is opaque, covers it.
-import { lightOf } from "./view.js";
+import { numbersOf } from "./view.js";
 
 async function deflated(text) {
     const bytes = new TextEncoder().encode(text);
@@ -11,7 +11,7 @@ async function deflated(text) {
 }
 
 const short = (number) => String(+number.toFixed(3));
-const rgb = (colour) => lightOf(colour).map(short).join(" ");
+const rgb = (colour) => numbersOf(colour).map(short).join(" ");
 
 // An ellipse around (x, y) of four curves; (ax, ay) and (bx, by) are its half axes.
 function ellipse({ x, y, ax, ay, bx, by }) {

@@ -1,12 +1,5 @@
 // Draws dots, the picture and spectra on canvases; zooms and moves the view.
 
-// Light, 0 to 1, of a number of sRGB from 0 to 1; and the number, 0 to 255, of light in 4095ths.
-const lightAt = (number) => (number <= 0.04045 ? number / 12.92 : ((number + 0.055) / 1.055) ** 2.4);
-const numberAt = Uint8ClampedArray.from({ length: 4096 }, (_, i) => {
-    const light = i / 4095;
-    return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055);
-});
-
 // Draws a round dot into `bare`, the share of paper that no dot covers, with smooth edges; the sum
 // of its ink is its area. Dots of a few pixels lie beside each other: what they cover is added.
 function splat(bare, width, height, x, y, r) {
@@ -53,7 +46,7 @@ export function layersOf(set) {
 }
 
 // Red, green and blue of 0xrrggbb, 0 to 1.
-export const lightOf = (colour) => [16, 8, 0].map((shift) => ((colour >> shift) & 255) / 255);
+export const numbersOf = (colour) => [16, 8, 0].map((shift) => ((colour >> shift) & 255) / 255);
 
 const MM_OF_PAGE = (512 / 72) * 25.4; // the longer side without paper: 512 pt
 const mmPerUnit = (set, page) => page.mm ?? MM_OF_PAGE / Math.max(set.width, set.height);
@@ -98,14 +91,14 @@ function drawMarks(bare, { first, dots, pen }, set, page, place, scale, width, h
 
 // Fills an ImageData with dots; `scale`: pixels per unit; (x, y): the page's upper left corner.
 // Layers whose index is in `hidden` are left out.
-// Transparent inks multiply what lies under them, and opaque ones cover it, in linear light: from
-// afar the screen is as bright as the paper would be.
+// Transparent inks multiply what lies under them, and opaque ones cover it, in numbers of sRGB, as
+// every viewer makes a picture smaller.
 export function drawDots(image, set, page, scale, x, y, hidden = new Set()) {
     const { width, height, data } = image;
     const place = (i) => [x + (page.left + set.points[2 * i]) * scale,
         y + (page.height - page.bottom - set.points[2 * i + 1]) * scale];
     const bare = new Float32Array(width * height);
-    const lights = lightOf(set.paperColour).map((paper) => new Float32Array(width * height).fill(lightAt(paper)));
+    const channels = numbersOf(set.paperColour).map((paper) => new Float32Array(width * height).fill(paper));
     for (const [index, layer] of layersOf(set).entries()) {
         if (hidden.has(index)) continue;
         const { first, dots, colour, opaque } = layer;
@@ -118,14 +111,14 @@ export function drawDots(image, set, page, scale, x, y, hidden = new Set()) {
             if (px > -r - 1 && py > -r - 1 && px < width + r + 1 && py < height + r + 1)
                 splat(bare, width, height, px, py, r);
         }
-        lightOf(colour).forEach((number, channel) => {
-            const ink = lightAt(number), light = lights[channel];
+        numbersOf(colour).forEach((ink, c) => {
+            const channel = channels[c];
             for (let i = 0; i < bare.length; ++i)
-                light[i] = opaque ? light[i] * bare[i] + ink * (1 - bare[i]) : light[i] * (ink + (1 - ink) * bare[i]);
+                channel[i] = opaque ? channel[i] * bare[i] + ink * (1 - bare[i]) : channel[i] * (ink + (1 - ink) * bare[i]);
         });
     }
-    lights.forEach((light, channel) => {
-        for (let i = 0; i < light.length; ++i) data[4 * i + channel] = numberAt[(4095 * light[i] + 0.5) | 0];
+    channels.forEach((channel, c) => {
+        for (let i = 0; i < channel.length; ++i) data[4 * i + c] = 255 * channel[i];
     });
     const inside = (row, column) => column + 0.5 > x && row + 0.5 > y &&
         column + 0.5 < x + page.width * scale && row + 0.5 < y + page.height * scale;

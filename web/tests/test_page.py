@@ -30,7 +30,10 @@ class PageTest(PageCase):
         self.given("grey.png", png(60, 60, 1, lambda x, y, c: 128))
         for count in ("3000", "20000", "100000"):
             page.after(lambda: page.set("count", count))
-            self.assertAlmostEqual(self.light(), 0.216, delta=0.03, msg=count)
+            self.assertAlmostEqual(self.brightness(), 128 / 255, delta=0.03, msg=count)
+        page.after(lambda: page.set("light", True))
+        self.assertIn("--light", self.command())
+        self.assertAlmostEqual(self.brightness(), 0.216, delta=0.03)
 
     def test_a_dropped_photograph_gives_the_bytes_of_the_command(self):
         page = self.browser

@@ -111,11 +111,11 @@ class SettingsTest(PageCase):
         self.given("raccoon.png")
         page.after(lambda: (page.set("count", "2000"), page.set("ink-kind", "cmyk")))
         self.assertEqual([text.split(",")[0] for text in self.inks()], ["cyan", "magenta", "yellow", "black"])
-        all_inks, light = page.looks(), self.light()
+        all_inks, brightness = page.looks(), self.brightness()
         self.assertFalse(page.element("hidden-note").is_displayed())
         self.eye(3)
         self.assertNotEqual(page.looks(), all_inks)
-        self.assertGreater(self.light(), light)
+        self.assertGreater(self.brightness(), brightness)
         self.assertIn("every download has all", page.text("hidden-note"))
         self.assert_the_commands_bytes("svg")
         _, document = page.download("pdf")
@@ -292,13 +292,13 @@ class SettingsTest(PageCase):
 
     def test_long_dots_strokes_and_a_line_are_as_bright_as_the_picture(self):
         page = self.browser
-        self.given("grey.png", png(60, 60, 1, lambda x, y, c: 188))
+        self.given("grey.png", png(60, 60, 1, lambda x, y, c: 128))
         page.after(lambda: (page.set("count", "3000"), page.set("drawn", "along")))
-        self.assertAlmostEqual(self.light(), 0.5, delta=0.06)
+        self.assertAlmostEqual(self.brightness(), 0.5, delta=0.06)
         page.after(lambda: page.set("drawn", "line"))
-        self.assertAlmostEqual(self.light(), 0.5, delta=0.06)
+        self.assertAlmostEqual(self.brightness(), 0.5, delta=0.06)
         page.after(lambda: (page.set("drawn", "along"), page.set("pen-kind", "pen")))
-        self.assertAlmostEqual(self.light(), 0.5, delta=0.12)
+        self.assertAlmostEqual(self.brightness(), 0.5, delta=0.12)
 
     def test_png_and_pdf_show_long_dots_strokes_and_a_line(self):
         page = self.browser

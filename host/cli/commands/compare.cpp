@@ -175,9 +175,7 @@ void run(const CommandLine& line, const CompareCommand& given, const Sampler& sa
     Request request = options.request;
     Field field;
     if (options.given.is_picture) {
-        Picture picture = options.picture;
-        picture.importance.light = true;  // as of stipple
-        field = read_field(picture, request);
+        field = read_field(options.picture, request);
         request.field = &field;
         if (!request.count && !request.scale)
             request.count = drawing::dot_count(field, request.domain);

@@ -29,7 +29,7 @@ constexpr const char* kOrderDescription =
 Examples:
   lacuna order points.txt --torus -o ordered.npy        any set, on a domain whose edges wrap
   lacuna sample --count 4096 --torus --relax 30 -o a.json && lacuna order a.json -o b.npy
-  lacuna order dots.npy photo.jpg --light -o a.npy      dots of a picture: dense where it is dark
+  lacuna order dots.npy photo.jpg -o a.npy              dots of a picture: dense where it is dark
 
 The first points are far apart, and the distance shrinks from level to level, by 2^(-1/32): each
 level adds points that keep that distance from all that were added before. With a picture the

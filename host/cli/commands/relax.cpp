@@ -35,7 +35,7 @@ constexpr const char* kRelaxDescription =
 Examples:
   lacuna relax points.txt --torus -o even.npy           any set, on a domain whose edges wrap
   lacuna relax points.txt --domain 2x1 --iterations 30 -o even.svg --report even.json
-  lacuna relax dots.npy photo.jpg --light -o dots.svg   cells of equal darkness, as stipple --relax
+  lacuna relax dots.npy photo.jpg -o dots.svg           cells of equal darkness, as stipple --relax
   lacuna sample --count 4096 --torus | lacuna relax - --torus -o even.txt
   lacuna relax points.txt --torus --gaussian -o smooth.npy   no low frequencies, for integrals
 

@@ -43,7 +43,9 @@ Examples:
   lacuna stipple dim.jpg --auto-levels -o dots.svg -o dots.png   an underexposed photo, two files
   lacuna stipple photo.jpg --inks cmyk -o dots.svg -o dots.png    in four inks, a layer for each
   lacuna stipple photo.jpg --count 2000 --size-by-tone 0.5 --sharpen 8 -o dots.svg   few dots
-  lacuna stipple photo.jpg --along 4 -o hairs.svg             short strokes along the edges
+  lacuna stipple photo.jpg --along 4 -o hairs.svg            long dots along the edges
+  lacuna stipple photo.jpg --along 6 --dot-size 0.4mm --paper-size A5 -o strokes.svg
+                                                             strokes of a pen along the edges
   lacuna stipple photo.jpg --scale 0.003 -o dots.png         as many as there is room for
   lacuna stipple photo.jpg --count 20000 --relax 0 -o dots.pdf    grainy: the set of the article
   lacuna stipple photo.jpg --scale 0.003 --relax 0 --mode exact -o dots.npy   no gap is left
@@ -55,8 +57,8 @@ Examples:
   lacuna stipple density.npy --invert --count 5000 > points.txt       high numbers are dense
 
 The domain is the picture, with a longer side of 1 and y upwards. Importance is 1 where the picture
-is black and 0, which means no dots, where it is white; in between paper and dots together reflect
-as much light as the picture. Few dots look better lighter, with --gamma 2. Dots are placed at
+is black and 0, which means no dots, where it is white; a grey of number v, 0 to 1, is covered to
+1 - v. So the drawing, made smaller by any viewer, is the picture made smaller. Dots are placed at
 random, so that every part of the picture has its share of them. Then they are moved, 15 times or as
 --relax says: their cells then hold nearly equal darkness, and each dot is in the middle of its
 cell.
@@ -69,9 +71,9 @@ areas. With mean and max dots in light areas take room from dark ones, and gaps 
 the picture.
 
 With --mode cells dots are placed on a lattice, and about 4 % fewer fit than in the plane. With
---mode exact they are placed in the plane and no gap is left: the set of lacuna sample --field with
---light. Either set may be relaxed, too; in mode cells --metric is then mean by default. Fine
-details then have more dots than their share.
+--mode exact they are placed in the plane and no gap is left: the set of lacuna sample --field.
+Either set may be relaxed, too; in mode cells --metric is then mean by default. Fine details then
+have more dots than their share.
 
 With --dot-size 0.5mm all dots are equally large, as a pen draws them, and with 0.3mm..0.8mm they
 are larger where it is darker; --pens 0.3mm,0.5mm,0.8mm are the widths there are. Without a number
@@ -83,10 +85,10 @@ The dots of pens are ordered along a short path, unless --no-pen-path is given. 
 there are as many dots as a plotter draws along it in an hour.
 
 With --along 4 dots are ellipses, up to four times as long as wide, along the picture's edges. They
-are made in --mode exact and are not relaxed.
+are made in --mode exact and are not relaxed. With --dot-size, too, they are strokes of a pen.
 
-With --inks the picture's colours are separated, in linear light. The dots of each ink are evenly
-spread, and so are all dots together. Files hold the dots of the first ink, then of the second.
+With --inks the picture's colours are separated. The dots of each ink are evenly spread, and so are
+all dots together. Files hold the dots of the first ink, then of the second.
 
 With --paper-size the picture lies in the middle of the paper, as large as --margin allows, and .svg
 is in mm. Without it the page is the picture, and its longer side is 512pt.

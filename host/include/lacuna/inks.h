@@ -33,7 +33,7 @@ struct Ink {
     friend bool operator==(const Ink&, const Ink&) = default;
 
     // Whether the ink counts as opaque: it is lighter than the paper in some channel. Other inks
-    // are transparent: the light of paper is multiplied by theirs.
+    // are transparent: the paper's numbers are multiplied by theirs.
     bool is_opaque_on(const Colour& paper) const {
         return colour[0] > paper[0] || colour[1] > paper[1] || colour[2] > paper[2];
     }

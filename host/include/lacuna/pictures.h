@@ -41,8 +41,11 @@ struct Tone {
     bool invert = false;       // bright is dense
     // What shows through where the picture is transparent: black, for light drawings, or white.
     bool on_black = false;
-    // Decodes the picture's numbers as sRGB: ink of this importance reflects the picture's light.
-    // Otherwise what looks half grey counts half. stipple() always decodes them.
+    // Areas average as numbers: a grey of number v, 0 to 1, has importance 1 - v, and paper, inks
+    // and what they cover together mix by area in numbers of sRGB. So a drawing made smaller by any
+    // viewer is the picture made smaller. With `light` areas average as light, for prints seen from
+    // afar: the picture's numbers and inks are decoded as sRGB; numbers that are no whole ones, as
+    // in HDR, are light already.
     bool light = false;
     double gamma = 1;           // importance is raised to this power, > 0
     double min_importance = 0;  // lower importance is raised to this, 0 to 1
@@ -89,10 +92,10 @@ Colour paper_of(const std::string& text);
 inline constexpr double kBlackInk = 0.8;
 
 // The importance of each ink, 0 to 1: the part of the paper that its dots are to cover. It is the
-// least-squares solution in linear light for dots that place_inks() places. Channels are decoded as
-// sRGB after the tone's levels; gamma and min_importance change the inks' importance. An ink that
-// is nowhere needed has a field of zeros. Inks that are opaque on the paper cover it and the inks
-// before them. Throws what importance_of throws.
+// least-squares solution, in numbers or with Tone::light in light, for dots that place_inks()
+// places. Gamma and min_importance change the inks' importance. An ink that is nowhere needed
+// has a field of zeros. Inks that are opaque on the paper cover it and the inks before them. Throws
+// what importance_of throws.
 std::vector<Field> separate(const Picture& picture, std::span<const Ink> inks,
                             const Tone& tone = {}, double black_ink = kBlackInk,
                             const Colour& paper = kWhitePaper);

@@ -70,7 +70,7 @@ struct StippleOptions {
     // How often the dots are moved. Default: 15, but 0 with Tone::along.
     std::optional<std::uint32_t> relax{};
 
-    Tone tone{.light = true};  // how the picture becomes importance; its light always counts
+    Tone tone{};  // how the picture becomes importance
 
     // Without inks the picture is grey and the dots are black. Dots in inks begin stratified and
     // are relaxed at least once.

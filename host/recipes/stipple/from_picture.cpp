@@ -14,8 +14,7 @@ namespace {
 std::vector<Field> importance_for(const Picture& picture, const StippleOptions& options) {
     using namespace pictures;
     std::vector<Field> fields;
-    Tone tone = options.tone;
-    tone.light = true;
+    const Tone& tone = options.tone;
     if (options.inks.empty())
         fields.push_back(
             importance_of(decode_image(picture.content, picture.name, kMaxPixels, kLargestAspect,
@@ -24,8 +23,7 @@ std::vector<Field> importance_for(const Picture& picture, const StippleOptions& 
     else
         fields = separated(
             decode_colours(picture.content, picture.name, backdrop_of(tone), kLargestAspect),
-            options.inks, options.tone, options.black_ink.value_or(kBlackInk),
-            options.paper_colour);
+            options.inks, tone, options.black_ink.value_or(kBlackInk), options.paper_colour);
     return fields;
 }
 

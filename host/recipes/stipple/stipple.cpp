@@ -16,6 +16,7 @@
 #include "drawing/dot_count.h"
 #include "drawing/page.h"
 #include "drawing/pen/pen_path.h"
+#include "drawing/strokes.h"
 #include "drawing/tones.h"
 #include "files/point_files.h"
 #include "pictures/importance.h"
@@ -220,7 +221,10 @@ private:
 
     void turn_into_strokes() {
         std::vector<Point>& middles = made_.result.points;
+        std::vector<double> reaches;
+        for (const Ellipse& one : made_.ellipses) reaches.push_back(std::sqrt(one.a * one.b));
         recipes::make_strokes(made_.ellipses, ink(), pen());
+        drawing::fit_strokes(middles, made_.ellipses, reaches, tones_.all(), request().domain);
         if (recipes::cut_strokes(middles, made_.ellipses, request().domain))
             recipes::note_moves(request(), made_.result);
         recipes::turn_strokes(middles, made_.ellipses);
