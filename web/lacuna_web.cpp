@@ -161,6 +161,9 @@ Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tel
                         1000,
                     4) +
             " m, about " + time_text(made.plot_seconds);
+    const double dots = static_cast<double>(set.points.size()) / made.dots_for_ink;
+    if (const double ink = options.path_line ? std::sqrt(dots) : dots; ink < 0.5)
+        set.plot += ", " + rounded(100 * ink, 2) + " % of the picture's ink";
     return set;
 }
 

@@ -14,6 +14,7 @@
 #include "base/polling.h"
 #include "drawing/dot_count.h"
 #include "drawing/page.h"
+#include "drawing/pen/plotting_time.h"
 
 namespace lacuna::drawing {
 namespace {
@@ -144,19 +145,32 @@ PathOfOne path_of_one(const Tones& tones, const Domain& domain, const Style& sty
     return {factor * roots, factor * ink};
 }
 
-// The time is a n + b sqrt(n), which is solved for n.
 std::uint64_t plotted_count(const Tones& tones, const Domain& domain, const Style& style,
                             const Plotter& plotter, double seconds) {
-    const double a = plotter.seconds_per_dot;
-    const double b = seconds_of(plotter, 0, path_of_one(tones, domain, style).length);
-    // Of the two forms of the root this one holds for a = 0, too.
-    const double root = 2 * seconds / (b + std::sqrt(b * b + 4 * a * seconds));
-    if (!(root * root <= kMostDots))
+    constexpr double kLonger = 1.02;  // so that no path is longer than expected
+    const double path = kLonger * path_of_one(tones, domain, style).length;
+    const double mm = millimetres_per_unit(files::PointSet{{}, domain}, style);
+    const double strokes = tones.sizing.are_strokes
+                               ? ink_of(tones, domain) * mm * mm / tones.sizing.pens->least_mm
+                               : 0;
+    const auto seconds_for = [&](double dots) {
+        const double way = path / std::sqrt(dots);
+        if (tones.sizing.is_line)
+            return static_cast<double>(tones.fields.size()) * plotter.seconds_per_dot +
+                   dots * pen::usual_seconds_down(plotter, way);
+        return dots * (plotter.seconds_per_dot + pen::seconds_up(plotter, way) +
+                       pen::seconds_straight_down(plotter, strokes / dots));
+    };
+    double least = 1, most = kMostDots;
+    if (strokes > 0 && seconds_for(least) > seconds)
         throw BadRequest("plot-time", time_text(seconds),
-                         "has time for more than " +
-                             std::to_string(static_cast<std::uint64_t>(kMostDots)) +
-                             " dots: give --count");
-    return static_cast<std::uint64_t>(std::max(1.0, std::round(root * root)));
+                         "the strokes alone take " + time_text(seconds_for(least)) +
+                             ": give a wider --dot-size");
+    while (most - least > 0.5) {
+        const double middle = (least + most) / 2;
+        (seconds_for(middle) <= seconds ? least : most) = middle;
+    }
+    return static_cast<std::uint64_t>(most == kMostDots ? most : least);
 }
 
 double ink_of(const Tones& tones, const Domain& domain) {
@@ -176,12 +190,6 @@ std::uint64_t count_of_line(const Tones& tones, const Domain& domain, const Styl
     const double ink = ink_of(tones, domain) * scale * scale;
     const double root = ink / path_of_one(tones, domain, style).ink;
     return static_cast<std::uint64_t>(std::clamp(std::round(root * root), 1.0, kMostDots));
-}
-
-double seconds_of(const Plotter& plotter, std::size_t dots, double path_mm) {
-    constexpr double kMillimetresPerMetre = 1000;
-    return plotter.seconds_per_dot * static_cast<double>(dots) +
-           plotter.seconds_per_metre * path_mm / kMillimetresPerMetre;
 }
 
 void share_dots(Tones& tones, std::uint64_t dots) {

@@ -50,16 +50,14 @@ double dots_for_ink(const Tones& tones, const Domain& domain, const Style& style
 // The number of dots that suits the picture, in all. Pens need dots for each ink by itself.
 std::uint64_t suiting_count(const Tones& tones, const Domain& domain, const Style& style);
 
-// About how many dots a plotter draws in this time, along the path of each ink.
+// How many dots a plotter draws in this time, along the path of each ink, or as how many strokes
+// it draws their ink: a few percent less than it would.
 std::uint64_t plotted_count(const Tones& tones, const Domain& domain, const Style& style,
                             const Plotter& plotter, double seconds);
 // The area of the ink of lines or strokes, which partly lie on themselves.
 double ink_of(const Tones& tones, const Domain& domain);
 // How many dots the lines of pens go through if their ink is as much as the picture is dark.
 std::uint64_t count_of_line(const Tones& tones, const Domain& domain, const Style& style);
-// About how long it takes for dots and the path between them.
-double seconds_of(const Plotter& plotter, std::size_t dots, double path_mm);
-
 // Gives each ink its share of this number of dots.
 void share_dots(Tones& tones, std::uint64_t dots);
 

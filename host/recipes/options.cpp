@@ -273,18 +273,25 @@ constexpr Row kRows[] = {
     {{"pen-path", "", Kind::flag, kStipple},
      "Orders the dots along a short path for a pen, in every format (default with pens: --dot-size "
      "0.5mm, --pens, or --inks that have pens)"},
-    {{"no-pen-path", "", Kind::flag, kStipple}, "Leaves the dots of pens in the order in which they were made"},
+    {{"no-pen-path", "", Kind::flag, kStipple},
+     "Leaves the dots of pens in the order in which they were made"},
     {{"path-line", "", Kind::flag, kStipple},
      "Draws that path as one line, in .svg .pdf .png, in place of dots: as wide as the pen of "
      "--dot-size or, without it, so wide that its ink is as much as the picture is dark"},
     {{"plot-time", "T", Kind::text, kStipple},
-     "As many dots as a plotter draws in this time, such as 90min or 1.5h, in the order of "
-     "--pen-path"},
+     "As many dots as a plotter draws in at most this time, such as 90min or 1.5h, along a pen's "
+     "path; with pens no more than the picture needs"},
     {{"seconds-per-dot", "S", Kind::number, kStipple},
-     "How long the plotter takes to lower and raise the pen (default 0.25, about as an AxiDraw "
-     "V3)"},
-    {{"seconds-per-metre", "S", Kind::number, kStipple},
-     "How long it takes for a metre of the path between dots (default 5)"},
+     "How long the plotter takes to lower and raise the pen (default 0.28, as an AxiDraw V3 does; "
+     "so are the next defaults)"},
+    {{"seconds-per-metre-down", "S", Kind::number, kStipple},
+     "How long it takes for a metre at full speed with the pen down, along strokes and lines "
+     "(default 20)"},
+    {{"seconds-per-metre-up", "S", Kind::number, kStipple},
+     "The same with the pen up, between dots and strokes (default 6.6)"},
+    {{"seconds-per-corner", "S", Kind::number, kStipple},
+     "How long it takes to stop and start again with the pen down, at full speed (default 0.066); "
+     "less in blunt corners and on short ways"},
 
     // Looking at sets
     {{"tolerance", "T", Kind::number, kVerify},

@@ -187,7 +187,8 @@ _KINDS: dict[str, Callable[[str, Any], object]] = {
 _OPTIONAL = set(
     "radius n on_pixels scale metric mode domain edge limit relax gaussian_distance "
     "lines_per_radius device memory_limit black_ink ink_counts tolerance "
-    "dot_size pens paper_size margin pen_path plot_time seconds_per_dot seconds_per_metre".split()
+    "dot_size pens paper_size margin pen_path plot_time seconds_per_dot "
+    "seconds_per_metre_down seconds_per_metre_up seconds_per_corner".split()
 )
 
 

@@ -365,7 +365,7 @@ class Stippling(PointSet):
     path_length : float
         Of the pen's path, in the domain's unit; 0 without pens and path.
     plot_seconds : float
-        About how long a plotter takes; 0 without pens and path.
+        How long a plotter takes; 0 without pens and path.
     for_a_pen : bool
         Whether the points come in the order of the pen's path.
     """

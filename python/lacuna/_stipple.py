@@ -62,7 +62,9 @@ def stipple(
     path_line: bool = False,
     plot_time: str | None = None,
     seconds_per_dot: SupportsFloat | None = None,
-    seconds_per_metre: SupportsFloat | None = None,
+    seconds_per_metre_down: SupportsFloat | None = None,
+    seconds_per_metre_up: SupportsFloat | None = None,
+    seconds_per_corner: SupportsFloat | None = None,
     torus: bool = False,
     seed: Seed = None,
     limit: Whole | None = None,
@@ -166,11 +168,18 @@ def stipple(
     path_line : bool
         Draw that path as one line for each ink, in place of dots.
     plot_time : str, optional
-        In place of ``n``: about as many dots as a plotter draws in this time, such as '1h' or
-        '30min'. The result's ``.plot_seconds`` says how long it takes.
-    seconds_per_dot, seconds_per_metre : float, optional
-        How fast the plotter is, 0.25 and 5 by default: to lower and raise the pen, and along the
-        path between dots.
+        In place of ``n``: as many dots as a plotter draws in at most this time, such as '1h' or
+        '30min'; with pens no more than the picture needs. The result's ``.plot_seconds`` says how
+        long it takes.
+    seconds_per_dot : float, optional
+        How long the plotter takes to lower and raise the pen. The default of this and of the next
+        arguments is that of an AxiDraw V3: 0.28.
+    seconds_per_metre_down, seconds_per_metre_up : float, optional
+        How long it takes for a metre at full speed: with the pen down, along strokes and lines, 20
+        by default; and with the pen up, 6.6 by default.
+    seconds_per_corner : float, optional
+        How long it takes to stop and start again with the pen down, at full speed: 0.066 by
+        default. It is less in blunt corners and on short ways.
     torus, seed, limit, lines_per_radius, round_size, backend, device, threads, memory_limit, \
 progress
         As for ``sample``.
@@ -213,7 +222,8 @@ progress
         along=along, size_by_tone=size_by_tone, keep_inside=keep_inside, dot_size=dot_size,
         pens=pens, paper_size=paper_size, margin=margin, pen_path=pen_path, path_line=path_line,
         plot_time=plot_time, seconds_per_dot=seconds_per_dot,
-        seconds_per_metre=seconds_per_metre, torus=torus, seed=seed,
+        seconds_per_metre_down=seconds_per_metre_down, seconds_per_metre_up=seconds_per_metre_up,
+        seconds_per_corner=seconds_per_corner, torus=torus, seed=seed,
         limit=limit, lines_per_radius=lines_per_radius, round_size=round_size, backend=backend,
         device=device, threads=threads, memory_limit=memory_limit,
     )  # fmt: skip

@@ -32,10 +32,17 @@ ON_A6 = ["--paper-size", "A6", "--margin", "5mm"]
         ({"n": 300, "dot_size": "1mm", "pen_path": False},
          ["--count", 300, "--dot-size", "1mm", "--no-pen-path"]),
         ({"along": 4, "dot_size": "1mm"}, ["--along", 4, "--dot-size", "1mm"]),
-        ({"path_line": True, "dot_size": "1mm"}, ["--path-line", "--dot-size", "1mm"]),
         (
-            {"plot_time": "10min", "dot_size": "1mm", "seconds_per_dot": 0.5},
-            ["--plot-time", "10min", "--dot-size", "1mm", "--seconds-per-dot", 0.5],
+            {"path_line": True, "dot_size": "1mm", "plot_time": "2min",
+             "seconds_per_metre_down": 30, "seconds_per_corner": 0.1},
+            ["--path-line", "--dot-size", "1mm", "--plot-time", "2min",
+             "--seconds-per-metre-down", 30, "--seconds-per-corner", 0.1],
+        ),
+        (
+            {"plot_time": "10min", "dot_size": "1mm", "seconds_per_dot": 0.5,
+             "seconds_per_metre_up": 10},
+            ["--plot-time", "10min", "--dot-size", "1mm", "--seconds-per-dot", 0.5,
+             "--seconds-per-metre-up", 10],
         ),
     ],
 )

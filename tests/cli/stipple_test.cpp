@@ -15,25 +15,49 @@ using namespace lacuna::tests;
 TEST(Stipple, WarnsInOneLineOfDotsWithLessThanHalfOfTheInkOrMoreThanTwice) {
     const Folder folder;
     const std::string grey = grey_picture(folder, 1, 1, bytes({128}));
-    const auto warning = [&](const Names& more) {
-        Names words{"stipple", grey, "--paper-size", "121x101mm",         "--margin", "10mm",
-                    "--relax", "0",  "-o",           folder.path("a.svg")};
-        words.insert(words.end(), more.begin(), more.end());
-        const std::string err = run(words).err;
-        return err.starts_with("lacuna: ") ? err.substr(0, err.find('\n')) : "";
+    const auto warning = [&](const Names& more, const Names& paper) {
+        const Names words{"stipple", grey, "-o", folder.path("a.svg")};
+        const std::string err = run(joined(joined(words, paper), more)).err;
+        return err.starts_with("lacuna: ") ? err.substr(8, err.find('\n') - 8) : "";
     };
     // Within the margins and half of a pen of 1 mm 80 mm x 80 mm, half of it black, is 4051 dots.
-    EXPECT_EQ(warning({"--count", "100", "--dot-size", "1mm"}),
-              "lacuna: 100 dots of 1mm have 2.5 % of the picture's ink: about 4060 dots, or "
-              "--dot-size 6.4mm, would suit");
-    EXPECT_EQ(warning({"--count", "1000", "--dot-size", "4mm"}),
-              "lacuna: 1000 dots of 4mm have 426 % of the picture's ink: about 235 dots, or "
-              "--dot-size 1.9mm, would suit");
-    EXPECT_EQ(warning({"--count", "2100", "--dot-size", "1mm"}), "");
-    EXPECT_EQ(warning({"--count", "8000", "--dot-size", "1mm"}), "");
-    EXPECT_EQ(warning({"--dot-size", "1mm"}), "");
-    EXPECT_EQ(warning({"--count", "100"}), "");
-    EXPECT_EQ(warning({"--count", "100", "--dot-size", "1mm", "--quiet"}), "");
+    const Names square{"--paper-size", "121x101mm", "--margin", "10mm"};
+    const Names a3{"--paper-size", "A3", "--margin", "10mm"};
+    struct Case {
+        Names drawn;
+        std::string warning{};
+        Names paper{};
+    };
+    const Names plain{"--relax", "0"};
+    const std::vector<Case> cases{
+        {joined(plain, {"--count", "100", "--dot-size", "1mm"}),
+         "100 dots of 1mm have 2.5 % of the picture's ink: about 4050 dots or --dot-size 6.4mm "
+         "would suit"},
+        {joined(plain, {"--count", "1000", "--dot-size", "4mm"}),
+         "1000 dots of 4mm have 426 % of the picture's ink: about 235 dots, --dot-size 1.9mm or "
+         "--paper-size A4 would suit"},
+        {joined(plain, {"--count", "2100", "--dot-size", "1mm"})},
+        {joined(plain, {"--count", "8000", "--dot-size", "1mm"})},
+        {joined(plain, {"--dot-size", "1mm"})},
+        {joined(plain, {"--count", "100"})},
+        {{"--count", "100", "--dot-size", "1mm", "--quiet"}},
+        {joined(plain, {"--count", "1500", "--dot-size", "2mm"}),
+         "1500 dots of 2mm have 13 % of the picture's ink: about 12000 dots, --dot-size 5.6mm or "
+         "--paper-size A6 would suit",
+         a3},
+        {{"--count", "300", "--inks", "black:1mm"},
+         "300 dots of these pens have 0.62 % of the picture's ink: about 48200 dots would suit",
+         a3},
+        {{"--count", "300", "--path-line", "--dot-size", "1mm"},
+         "lines of 1mm through 300 dots have 13 % of the picture's ink: about 18800 dots, "
+         "--dot-size 7.9mm or --paper-size 56x71mm would suit",
+         a3},
+        {{"--plot-time", "2min", "--inks", "black:1mm,red:2mm", "--path-line"},
+         "lines of these pens through 377 dots have 14 % of the picture's ink: about 18700 dots or "
+         "--paper-size 61x79mm would suit",
+         a3}};
+    for (const Case& one : cases)
+        EXPECT_EQ(warning(one.drawn, one.paper.empty() ? square : one.paper), one.warning);
     const Outcome sampled = run({"sample", "--field", grey, "--count", "50", "--dot-size", "0.1mm",
                                  "-o", folder.path("b.svg")});
     EXPECT_TRUE(sampled.err.starts_with("lacuna: 50 dots of 0.1mm have ")) << sampled.err;
@@ -86,6 +110,13 @@ TEST(Stipple, WithoutACountMakesAsManyDotsAsSuitThePictureAndSaysSo) {
     const Outcome sized = run({"stipple", image, "--paper-size", "81x41mm", "--dot-size", "1mm",
                                "-o", folder.path("a.svg")});
     EXPECT_TRUE(sized.err.starts_with("2555 dots (")) << sized.err;
+    // There are no more of them although there is time.
+    const Outcome timed =
+        run({"stipple", image, "--paper-size", "81x41mm", "--dot-size", "1mm", "--plot-time",
+             "100h", "--seconds-per-dot", "1", "-o", folder.path("a.svg")});
+    expect_has(timed.err, {"2555 dots (finished sooner than in 100 h: more would not suit), ",
+                           " m, about 45 min on this plotter"});
+    expect_has(sized.err, {" m, about 14 min on an AxiDraw V3"});
 }
 
 // A pen decides how large dots are drawn, and no distance.

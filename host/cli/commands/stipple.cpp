@@ -30,6 +30,7 @@
 #include "drawing/picture.h"
 #include "files/point_files.h"
 #include "recipes/read.h"
+#include "recipes/stipple/settled.h"
 
 namespace lacuna::cli {
 namespace {
@@ -82,7 +83,8 @@ if --count, --scale or --plot-time give less than half of that area, or more tha
 --dot-size and --pens, --size-by-tone makes dots in dark areas larger.
 
 The dots of pens are ordered along a short path, unless --no-pen-path is given. With --plot-time 1h
-there are as many dots as a plotter draws along it in an hour.
+there are as many dots as a plotter draws along it in at most an hour, and with pens no more than
+the picture needs.
 
 With --along 4 dots are ellipses, up to four times as long as wide, along the picture's edges. They
 are made in --mode exact and are not relaxed. With --dot-size, too, they are strokes of a pen.
@@ -201,12 +203,16 @@ Json report_of_the_rest(const StippleCommand& all, const std::vector<Output>& ou
     return more;
 }
 
-// The number of dots, if the library has chosen it, for the summary at the end.
+// What is to be said of the number of dots, for the summary at the end: those of each layer, and
+// whether the library has chosen it.
 std::string note_on_count(const StippleOptions& options, const Stippling& made) {
     std::string text;
     for (const Layer& layer : made.layers)
-        text += fmt::format("{}{} {}", text.empty() ? " (" : ", ", layer.ink.name, layer.dots);
-    if (!text.empty()) return text + ")";
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", layer.ink.name, layer.dots);
+    if (made.is_finished_sooner)
+        text += fmt::format("{}finished sooner than in {}: more would not suit",
+                            text.empty() ? "" : "; ", time_text(*options.plot_seconds));
+    if (!text.empty()) return " (" + text + ")";
     return options.request.count || options.request.scale || options.plot_seconds
                ? ""
                : " (chosen for the picture: --count gives another number)";
@@ -217,11 +223,9 @@ std::string plot_text(const StippleOptions& options, const files::PointSet& set,
                       const drawing::Style& style, const Stippling& made) {
     if (made.plot_seconds == 0) return "";
     const double millimetres = made.path_length * drawing::millimetres_per_unit(set, style);
-    const std::string dots =
-        options.path_line ? ""
-                          : fmt::format("{:.3g} s a dot and ", options.plotter.seconds_per_dot);
-    return fmt::format(", pen path {:.2f} m, about {} at {}{:.3g} s a metre", millimetres / 1000,
-                       time_text(made.plot_seconds), dots, options.plotter.seconds_per_metre);
+    return fmt::format(", pen path {:.2f} m, about {} on {}", millimetres / 1000,
+                       time_text(made.plot_seconds),
+                       options.plotter == Plotter{} ? "an AxiDraw V3" : "this plotter");
 }
 
 // Makes the dots of one picture, and its files. Returns the dots.
@@ -236,7 +240,11 @@ std::vector<Point> run_one(const CommandLine& line, const StippleCommand& all) {
     const Stippling dots = make(common, all.image, options, made);
     const Request& request = common.request = dots.request;
     if (!common.quiet && options.start_points.empty())
-        warn_of_ink(drawing, made.result.points.size(), dots.dots_for_ink);
+        warn_of_ink(drawing, {.dots = made.result.points.size(),
+                              .suits = dots.dots_for_ink,
+                              .domain = request.domain,
+                              .widest_pen_mm = recipes::widest_pen(options),
+                              .are_line = options.path_line});
 
     const Json asked = json_of(all, options, dots);
     const files::Origin origin = origin_of(line, request, made.result, asked);

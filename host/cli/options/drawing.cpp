@@ -9,10 +9,13 @@
 #include <cstdio>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "base/number_text.h"
 #include "cli/reports/report.h"
 #include "drawing/dot_count.h"
+#include "recipes/read.h"
+#include "recipes/words.h"
 
 namespace lacuna::cli {
 namespace {
@@ -44,10 +47,44 @@ void check_pixels(const DrawingOptions& options) {
                                      most, kMostPixels));
 }
 
-std::string text_of(const Pens& pens) {
-    return pens.least_mm == pens.most_mm
-               ? fmt::format("{:.3g}mm", pens.least_mm)
-               : fmt::format("{:.3g}mm to {:.3g}mm", pens.least_mm, pens.most_mm);
+std::string text_of(double least_mm, double most_mm, const char* to, int digits) {
+    return least_mm == most_mm
+               ? fmt::format("{:.{}g}mm", least_mm, digits)
+               : fmt::format("{:.{}g}mm{}{:.{}g}mm", least_mm, digits, to, most_mm, digits);
+}
+
+// The paper on which dots, which have `part` of what they need on the present one, have the
+// picture's ink: one with a name if that comes near.
+std::string paper_that_suits(const DrawingOptions& options, const Inked& inked, double part) {
+    constexpr double kNear = 1.5, kLeastSide = 50;
+    const double around = 2 * (options.paper ? options.paper->margin_mm : 0) + inked.widest_pen_mm;
+    drawing::Style style;
+    const auto scale_on = [&](std::optional<Paper> paper) {
+        if (paper) {
+            style.sheet = drawing::turned(*paper, inked.domain);
+            style.sheet->margin_mm = around / 2;
+        }
+        return drawing::millimetres_per_unit(files::PointSet{{}, inked.domain}, style);
+    };
+    const double scale = scale_on(options.paper);
+    double nearest = kNear;
+    std::string best;
+    for (const std::string_view name : recipes::words_of(recipes::Words::papers)) {
+        const double ratio = scale / scale_on(recipes::read_paper("paper-size", std::string(name)));
+        const double ink = part * ratio * ratio;
+        if (!(ratio > 0 && std::max(ink, 1 / ink) < nearest)) continue;
+        nearest = std::max(ink, 1 / ink);
+        best = "--paper-size " + std::string(name);
+    }
+    if (!best.empty() || !options.paper) return best;
+    const auto side = [&](double mm) {
+        return std::round((mm - around) * std::sqrt(part) + around);
+    };
+    const Paper sheet = drawing::turned(*options.paper, inked.domain);
+    const double width = side(sheet.width_mm), height = side(sheet.height_mm);
+    return std::min(width, height) < kLeastSide
+               ? ""
+               : fmt::format("--paper-size {}x{}mm", width, height);
 }
 
 }  // namespace
@@ -90,31 +127,41 @@ drawing::Style style_of(const DrawingOptions& options, const Domain& domain) {
     return style;
 }
 
-void warn_of_ink(const DrawingOptions& options, std::size_t count, double suits) {
-    if (!options.pens || suits == 0 || count == 0) return;
-    const double ink = static_cast<double>(count) / suits;
+void warn_of_ink(const DrawingOptions& options, const Inked& inked) {
+    if (inked.suits == 0 || inked.dots == 0) return;
+    const double part = static_cast<double>(inked.dots) / inked.suits;
+    const double ink = inked.are_line ? std::sqrt(part) : part;
     if (ink >= kLeastInk && ink <= kMostInk) return;
+    const std::optional<Pens>& pens = options.pens;
+    std::vector<std::string> advice{fmt::format("about {} dots", to_three_digits(inked.suits))};
+    if (pens && pens->widths_mm.empty()) {
+        const double factor = 1 / std::sqrt(part);
+        advice.push_back("--dot-size " +
+                         text_of(pens->least_mm * factor, pens->most_mm * factor, "..", 2));
+    }
+    if (const std::string paper = paper_that_suits(options, inked, part); !paper.empty())
+        advice.push_back(paper);
     const std::string percent =
         ink < 0.1 ? fmt::format("{:.2g}", 100 * ink) : fmt::format("{:.0f}", 100 * ink);
-    const double factor = 1 / std::sqrt(ink);
-    const Pens pens{options.pens->least_mm * factor, options.pens->most_mm * factor};
-    const std::string size = pens.least_mm == pens.most_mm
-                                 ? fmt::format("{:.2g}mm", pens.least_mm)
-                                 : fmt::format("{:.2g}mm..{:.2g}mm", pens.least_mm, pens.most_mm);
-    const std::string or_else =
-        options.pens->widths_mm.empty() ? fmt::format(", or --dot-size {},", size) : "";
-    std::fputs(fmt::format("lacuna: {} dots of {} have {} % of the picture's ink: about {} dots{} "
-                           "would suit\n",
-                           count, text_of(*options.pens), percent, to_three_digits(suits), or_else)
-                   .c_str(),
-               stderr);
+    const std::string pen = pens ? text_of(pens->least_mm, pens->most_mm, " to ", 3) : "these pens";
+    const std::string drawn = inked.are_line
+                                  ? fmt::format("lines of {} through {} dots", pen, inked.dots)
+                                  : fmt::format("{} dots of {}", inked.dots, pen);
+    std::fputs(
+        fmt::format("lacuna: {} have {} % of the picture's ink: {} would suit\n", drawn, percent,
+                    recipes::listed(std::vector<std::string_view>(advice.begin(), advice.end())))
+            .c_str(),
+        stderr);
 }
 
 void warn_of_ink(const DrawingOptions& options, const Request& request, const Field* tone,
                  std::size_t count, const drawing::Style& style) {
     if (!options.pens || tone == nullptr) return;
-    warn_of_ink(options, count,
-                drawing::dots_for_ink(*tone, request.domain, {.pens = options.pens}, style));
+    warn_of_ink(options, {.dots = count,
+                          .suits = drawing::dots_for_ink(*tone, request.domain,
+                                                         {.pens = options.pens}, style),
+                          .domain = request.domain,
+                          .widest_pen_mm = 0});
 }
 
 Json json_of_pens(const std::optional<Pens>& pens) {

@@ -40,9 +40,18 @@ DrawingOptions checked_drawing(const CommandLine& line, DrawingOptions options,
 // The style for a domain of this shape, without the dots' sizes.
 drawing::Style style_of(const DrawingOptions& options, const Domain& domain);
 
-// Prints a line on standard error if --dot-size gives `count` dots less than half of the ink of
-// `suits` dots, or more than twice as much. Without pens, and if `suits` is 0, it prints nothing.
-void warn_of_ink(const DrawingOptions& options, std::size_t count, double suits);
+// Dots of pens, or lines through them.
+struct Inked {
+    std::size_t dots;
+    double suits;  // how many dots would have the picture's ink; 0 if that is not known
+    const Domain& domain;
+    double widest_pen_mm;
+    bool are_line = false;
+};
+
+// Prints a line on standard error if the ink is less than half of the picture's, or more than twice
+// as much, and what would suit: another number, pen or paper.
+void warn_of_ink(const DrawingOptions& options, const Inked& inked);
 // The same for dots of the picture `tone`; null: there is none.
 void warn_of_ink(const DrawingOptions& options, const Request& request, const Field* tone,
                  std::size_t count, const drawing::Style& style);

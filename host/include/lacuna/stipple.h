@@ -39,14 +39,19 @@ struct Pens {
 struct Paper {
     double width_mm = 0;
     double height_mm = 0;
-    double margin_mm = 0;  // of stipple(): no ink lies in it
+    double margin_mm = 0;   // of stipple(): no ink lies in it
     bool may_turn = false;  // to landscape, if the picture is wider than high
 };
 
-// How fast a plotter is. The default is about that of an AxiDraw V3 as it comes.
+// How fast a plotter is. The defaults are those of an AxiDraw V3 as it comes.
 struct Plotter {
-    double seconds_per_dot = 0.25;  // to lower and raise the pen
-    double seconds_per_metre = 5;   // of its path between dots
+    double seconds_per_dot = 0.28;       // to lower and raise the pen
+    double seconds_per_metre_down = 20;  // along lines and strokes, at full speed
+    double seconds_per_metre_up = 6.6;   // between dots and strokes, at full speed
+    // To stop and start again with the pen down, at full speed. In blunt corners and between short
+    // segments, where the pen is slower, it is less. 0: the pen is at full speed all the way.
+    double seconds_per_corner = 0.066;
+    friend bool operator==(const Plotter&, const Plotter&) = default;
 };
 
 struct StippleOptions {
@@ -95,8 +100,8 @@ struct StippleOptions {
     // as densely as importance squared, so that the line has as much ink as the picture is dark.
     bool path_line = false;
     Plotter plotter{};
-    // In place of a count: about as many dots as the plotter draws in this time along that path,
-    // in which they are ordered then.
+    // In place of a count: as many dots as the plotter draws in at most this time along that path,
+    // in which they are ordered then. With pens there are no more than the picture needs.
     std::optional<double> plot_seconds{};
 
     bool measure = false;  // fill in Relaxed::evenness, as RelaxOptions::measure does
@@ -125,13 +130,16 @@ struct Stippling {
 
     std::uint32_t columns = 0;  // of the picture, in pixels
     std::uint32_t rows = 0;
-    // With pens for all inks: how many dots would have the picture's ink; 0 for lines and strokes.
+    // With pens for all inks: how many dots, or lines through how many, would have the picture's
+    // ink; 0 for strokes.
     double dots_for_ink = 0;
     // With pens or a pen's path: its length, in the domain's unit, in the dots' order and in that
     // of admission, and about how long a plotter takes for the dots and the path between them.
     double path_length = 0;
     double admitted_length = 0;
     double plot_seconds = 0;
+    // With StippleOptions::plot_seconds: the picture needs no more dots than these.
+    bool is_finished_sooner = false;
     double line_width = 0;  // with path_line: in the domain's unit, where the ink has no pen
 };
 

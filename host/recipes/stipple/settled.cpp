@@ -127,11 +127,14 @@ void check_plotter(const StippleOptions& options) {
         if (!(seconds >= 0 && std::isfinite(seconds)))
             throw BadRequest(name, shortest(seconds), "must be a finite number of at least 0");
     };
-    check("seconds-per-dot", options.plotter.seconds_per_dot);
-    check("seconds-per-metre", options.plotter.seconds_per_metre);
+    const auto& [per_dot, per_metre_down, per_metre_up, per_corner] = options.plotter;
+    check("seconds-per-dot", per_dot);
+    check("seconds-per-metre-down", per_metre_down);
+    check("seconds-per-metre-up", per_metre_up);
+    check("seconds-per-corner", per_corner);
     if (!options.plot_seconds) return;
     check("plot-time", *options.plot_seconds);
-    if (options.plotter.seconds_per_dot == 0 && options.plotter.seconds_per_metre == 0)
+    if (per_dot == 0 && per_metre_down == 0 && per_metre_up == 0)
         throw BadRequest("plot-time", shortest(*options.plot_seconds),
                          "needs a plotter that takes more than 0 seconds");
 }

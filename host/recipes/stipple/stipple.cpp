@@ -23,6 +23,7 @@
 #include "plan/checked_request.h"
 #include "recipes/make.h"
 #include "recipes/stipple/place.h"
+#include "recipes/stipple/plot.h"
 #include "recipes/stipple/settled.h"
 #include "recipes/stipple/strokes.h"
 
@@ -35,9 +36,11 @@ std::uint64_t sum_of(std::span<const std::uint64_t> counts) {
 
 // Makes the dots of a picture's tones, step by step.
 class Stippler {
-    // The scale of strokes, in pens' widths, where the picture is black. Of a maximal set the disks
-    // of radius R cover 0.697 R^2 times their number: strokes 1.6 R long then have the ink.
-    static constexpr double kStrokesApart = 1.6 * 0.697;
+    // A maximal set has this many points in a square of its radius.
+    static constexpr double kCoverage = 0.697;
+    // The scale R of strokes, in pens' widths, where the picture is black: strokes 1.6 R long then
+    // have the ink.
+    static constexpr double kStrokesApart = 1.6 * kCoverage;
 
 public:
     Stippler(Stippling& made, drawing::Tones& tones, const StippleOptions& options,
@@ -67,13 +70,15 @@ public:
             !pens.empty())
             layers_ = std::move(pens);
         if (made_.is_for_a_pen) order_for_a_pen();
-        if (made_.is_for_a_pen || tones_.has_pens()) time_the_plot();
-        find_sizes();
         if (!request().field->stretches.empty())
             made_.ellipses = ellipses_of(made_.result.points, *request().field, made_.result.scale,
                                          request().domain);
         if (made_.are_strokes) turn_into_strokes();
+        const bool has_pen = made_.is_for_a_pen || tones_.has_pens();
+        if (has_pen) recipes::measure_path(made_, dots());
+        find_sizes();
         make_room();
+        if (has_pen) recipes::time_the_plot(made_, dots(), options_.plotter, mm_);
         made_.layers = std::move(layers_);
         request().field = nullptr;
     }
@@ -99,8 +104,7 @@ private:
         else if (!counts.empty())
             request().count = sum_of(counts);
         else if (options_.plot_seconds)
-            request().count = drawing::plotted_count(tones_, request().domain, style_, plotter(),
-                                                     seconds_for_dots());
+            choose_for_time();
         else if (made_.are_strokes && !request().count && !request().scale)
             request().scale = kStrokesApart * pen();
         else if (options_.path_line && tones_.has_pens() && !request().count)
@@ -122,6 +126,33 @@ private:
                                              options_.inks[k].name));
         }
         suit_narrow_shapes();
+    }
+
+    // As many dots as the time is enough for or, if that is less, as the picture needs.
+    void choose_for_time() {
+        const std::uint64_t dots = drawing::plotted_count(tones_, request().domain, style_,
+                                                          options_.plotter, *options_.plot_seconds);
+        auto needed = static_cast<std::uint64_t>(drawing::kMostDots);
+        if (made_.are_strokes) {
+            needed = natural_strokes();
+        } else if (tones_.has_pens()) {
+            needed = options_.path_line ? drawing::count_of_line(tones_, request().domain, style_)
+                                        : drawing::suiting_count(tones_, request().domain, style_);
+        }
+        made_.is_finished_sooner = dots >= needed;
+        if (made_.is_finished_sooner && made_.are_strokes)
+            request().scale = kStrokesApart * pen();
+        else
+            request().count = std::min(dots, needed);
+    }
+
+    // About how many strokes there are of the scale at which light ones just leave each other room.
+    std::uint64_t natural_strokes() {
+        const double apart = kStrokesApart * pen();
+        const Domain& domain = request().domain;
+        return static_cast<std::uint64_t>(kCoverage *
+                                          drawing::darkness_of(tones_.densities().front()) *
+                                          domain.width * domain.height / (apart * apart));
     }
 
     void suit_narrow_shapes() {
@@ -166,25 +197,10 @@ private:
         observer_.end(Verb::pen_path);
     }
 
-    // The pen stays down on a line.
-    Plotter plotter() const {
-        Plotter plotter = options_.plotter;
-        if (options_.path_line) plotter.seconds_per_dot = 0;
-        return plotter;
-    }
-
-    void time_the_plot() {
-        drawing::for_each_layer(dots(), {}, [&](std::size_t, const auto& part, const auto&) {
-            made_.path_length += pen::path_length(part.points);
-        });
-        if (!made_.is_for_a_pen) made_.admitted_length = made_.path_length;
-        made_.plot_seconds =
-            drawing::seconds_of(plotter(), made_.result.points.size(), made_.path_length * mm_);
-    }
-
     void find_sizes() {
         if (options_.path_line) return find_width();
-        made_.dots_for_ink = drawing::dots_for_ink(tones_, request().domain, style_);
+        if (!made_.are_strokes)
+            made_.dots_for_ink = drawing::dots_for_ink(tones_, request().domain, style_);
         made_.diameters = drawing::diameters_of(tones_, dots(), style_);
     }
 
@@ -197,6 +213,7 @@ private:
             files::PointSet set = dots();
             set.ellipses = made_.ellipses;
             style_.sheet = drawing::with_room_for_ink(set, style);
+            find_scale();
         }
         made_.paper = style_.sheet;
     }
@@ -207,18 +224,6 @@ private:
     // The width of the pen, in the domain's unit.
     double pen() const { return options_.pens->least_mm / mm_; }
 
-    // The time without that of drawing strokes, whose length does not depend on their number.
-    double seconds_for_dots() {
-        const double seconds = *options_.plot_seconds;
-        if (!made_.are_strokes) return seconds;
-        const double strokes = drawing::seconds_of(plotter(), 0, ink() / pen() * mm_);
-        if (strokes >= seconds)
-            throw BadRequest(
-                "plot-time", time_text(seconds),
-                "the strokes alone take " + time_text(strokes) + ": give a wider --dot-size");
-        return seconds - strokes;
-    }
-
     void turn_into_strokes() {
         std::vector<Point>& middles = made_.result.points;
         std::vector<double> reaches;
@@ -228,25 +233,6 @@ private:
         if (recipes::cut_strokes(middles, made_.ellipses, request().domain))
             recipes::note_moves(request(), made_.result);
         recipes::turn_strokes(middles, made_.ellipses);
-        made_.dots_for_ink = 0;
-        time_the_strokes();
-    }
-
-    void time_the_strokes() {
-        double& path = made_.path_length = 0;
-        for (std::size_t i = 0; i < made_.ellipses.size(); ++i) {
-            const Ellipse& stroke = made_.ellipses[i];
-            const Point middle = made_.result.points[i];
-            const double length = 2 * (stroke.a - stroke.b);
-            made_.admitted_length += length;
-            path += length;
-            if (i == 0) continue;
-            const Point from =
-                recipes::end_of(made_.result.points[i - 1], made_.ellipses[i - 1], 1);
-            const Point to = recipes::end_of(middle, stroke, -1);
-            path += std::hypot(to.x - from.x, to.y - from.y);
-        }
-        made_.plot_seconds = drawing::seconds_of(plotter(), made_.ellipses.size(), path * mm_);
     }
 
     // The width at which the line has as much ink as the picture is dark, or that of the pen.
@@ -254,6 +240,9 @@ private:
         const double area = ink();
         // An ink with a pen of its own has its width.
         made_.line_width = options_.pens ? pen() : area / std::max(made_.path_length, area);
+        if (tones_.has_pens())
+            made_.dots_for_ink =
+                static_cast<double>(drawing::count_of_line(tones_, request().domain, style_));
     }
 
     Stippling& made_;

@@ -74,7 +74,9 @@ Targets targets_of(StippleOptions& options) {
                     {"path-line", &options.path_line},
                     {"plot-time", take_by<read_plot_time>(options.plot_seconds)},
                     {"seconds-per-dot", &options.plotter.seconds_per_dot},
-                    {"seconds-per-metre", &options.plotter.seconds_per_metre}};
+                    {"seconds-per-metre-down", &options.plotter.seconds_per_metre_down},
+                    {"seconds-per-metre-up", &options.plotter.seconds_per_metre_up},
+                    {"seconds-per-corner", &options.plotter.seconds_per_corner}};
     targets.merge(targets_of(options.pens, options.paper));
     targets.merge(targets_of(options.request));
     targets.merge(targets_of(options.tone));
