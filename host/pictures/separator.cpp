@@ -89,6 +89,7 @@ std::span<const double> Separator::amounts(const Channels& picture) {
         improve(wanted, black_);
     }
     improve(wanted, amounts_.size());
+    if (!is_grey_) keep_lightness(wanted);
     for (double& amount : amounts_)
         if (amount < kSmallChange) amount = 0;  // dots for it would be noise
     return amounts_;

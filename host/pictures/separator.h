@@ -25,7 +25,9 @@ public:
     // `light`: the channels are light.
     Separator(std::span<const Ink> inks, double black_ink, const Colour& paper, bool light);
 
-    // The amounts of the inks for a colour, by least squares. The result holds until the next call.
+    // The amounts of the inks for a colour: those that give it by least squares. If the inks cannot
+    // make it, those that keep its lightness first, then its hue, then its saturation. The result
+    // holds until the next call.
     std::span<const double> amounts(const Channels& picture);
 
     // The colour that these amounts give.
@@ -45,6 +47,7 @@ private:
     double amount_of_black(const Channels& wanted) const;
     void improve(const Channels& wanted, std::size_t fixed);
     double improve_once(const Channels& wanted, std::size_t fixed);
+    void keep_lightness(const Channels& wanted);
 
     double black_ink_;
     std::size_t black_;  // the first black ink, or the number of inks if there is none

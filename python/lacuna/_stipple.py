@@ -114,7 +114,8 @@ def stipple(
     inks : str, optional
         Dots in colour: 'cmyk', or inks separated by commas: names such as 'black,red', '#rrggbb' or
         'NAME=#rrggbb'. The dots of each ink are evenly spread, and so are all dots together.
-        The result has the dots of the first ink, then of the second, and so on. They begin stratified
+        Of a colour that the inks cannot make, they keep the lightness first, then the hue. The
+        result has the dots of the first ink, then of the second, and so on. They begin stratified
         and are relaxed at least once.
     black_ink : float, optional
         How much black replaces other inks that would look grey together, 0 to 1; 0.8 by default.

@@ -89,8 +89,9 @@ the picture needs.
 With --along 4 dots are ellipses, up to four times as long as wide, along the picture's edges. They
 are made in --mode exact and are not relaxed. With --dot-size, too, they are strokes of a pen.
 
-With --inks the picture's colours are separated. The dots of each ink are evenly spread, and so are
-all dots together. Files hold the dots of the first ink, then of the second.
+With --inks the picture's colours are separated. Of a colour that the inks cannot make, its
+lightness is kept first, then its hue. The dots of each ink are evenly spread, and so are all dots
+together. Files hold the dots of the first ink, then of the second.
 
 With --paper-size the picture lies in the middle of the paper, as large as --margin allows, and .svg
 is in mm. Without it the page is the picture, and its longer side is 512pt.

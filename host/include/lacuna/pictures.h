@@ -93,7 +93,8 @@ inline constexpr double kBlackInk = 0.8;
 
 // The importance of each ink, 0 to 1: the part of the paper that its dots are to cover. It is the
 // least-squares solution, in numbers or with Tone::light in light, for dots that place_inks()
-// places. Gamma and min_importance change the inks' importance. An ink that is nowhere needed
+// places. Of a colour that the inks cannot make the lightness is kept first, then the hue, then the
+// saturation. Gamma and min_importance change the inks' importance. An ink that is nowhere needed
 // has a field of zeros. Inks that are opaque on the paper cover it and the inks before them. Throws
 // what importance_of throws.
 std::vector<Field> separate(const Picture& picture, std::span<const Ink> inks,
