@@ -324,6 +324,26 @@ inline std::vector<FieldRequest> class_requests() {
     };
 }
 
+// Requests whose masks allow nothing, and one where they allow nothing to a class.
+inline std::vector<FieldRequest> requests_without_places() {
+    const Mask none{3, 2, std::vector<std::uint8_t>(6, 0)};
+    const std::vector<double> two{0.15, 0.05};
+    const auto of_classes = [&](const char* name) {
+        return with_classes(uniform(name, 1, Boundary::torus), distances_by_sum(two), {1, 1});
+    };
+    return {
+        with_mask(uniform("nowhere", 0.05, Boundary::box), none),
+        with_mask(radius_field_request("on a field", ramp_field(8, 8), 200, Boundary::torus), none),
+        with_mask(
+            radius_field_request("ellipses", swirled(ramp_field(7, 9), 5), 300, Boundary::box),
+            none),
+        with_keep(with_mask(uniform("beside kept points", 0.1, Boundary::box), none),
+                  {{-0.03, 0.3}, {0.3, 1.05}}),
+        with_mask(of_classes("classes"), none),
+        with_places(of_classes("a class that lies nowhere"), {0, 0}, none),
+    };
+}
+
 // The requests are the same in every run.
 inline std::vector<FieldRequest> radius_field_requests() {
     std::vector<FieldRequest> all = special_radius_field_requests();

@@ -21,6 +21,7 @@
 #include "hostile/hard_points.h"
 #include "hostile/made.h"
 #include "hostile/random_parts.h"
+#include "plan/checked_request.h"
 
 namespace lacuna::tests {
 
@@ -243,16 +244,9 @@ private:
             made.polygons.back().near = true;
             made.polygons.back().distance *= 4;
         }
-        try {
-            made.mask = draw_mask(made.polygons, request.domain, made.edge);
-        } catch (const BadRequest& error) {
-            if (error.option() != "inside" && error.option() != "outside" &&
-                error.option() != "near")
-                throw;
-            return false;
-        }
+        made.mask = draw_mask(made.polygons, request.domain, made.edge);
         request.mask = &made.mask;
-        return true;
+        return has_places(request);
     }
 
     // A set of mode exact with fewer points than the one that is asked for, or of the same size.
