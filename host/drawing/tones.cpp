@@ -14,7 +14,7 @@
 #include "base/polling.h"
 #include "drawing/dot_count.h"
 #include "drawing/page.h"
-#include "drawing/pen/plotting_time.h"
+#include "drawing/plotting_time.h"
 
 namespace lacuna::drawing {
 namespace {

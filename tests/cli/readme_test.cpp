@@ -100,7 +100,7 @@ TEST(Readme, HasCommandsThatAllEndWellAndMakeTheirFiles) {
         ++stippled;
         ASSERT_EQ(run_in(folder, command + " -o ink.png").exit_code, 0) << command;
         const double ink = ink_of(lacuna::pictures::read_image(folder.path("ink.png")));
-        EXPECT_NEAR(ink / wanted, 1, 0.2) << command;
+        EXPECT_NEAR(ink / wanted, 1, 0.25) << command;  // an hour of a plotter has less
     }
     EXPECT_GT(stippled, 3U);
 }

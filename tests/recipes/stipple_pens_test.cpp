@@ -96,7 +96,7 @@ TEST(Stippling, ForATimeIsDrawnInAtMostThatTimeAndNotMuchLess) {
             options.plot_seconds = 100;
             expect(options, 0.9);
         }
-    strokes.plot_seconds = 1000;
+    strokes.plot_seconds = 600;
     expect(strokes, 0.8);
 }
 
@@ -149,7 +149,7 @@ TEST(Stippling, WithPensHasTheirWidthsAndALayerForEach) {
     // black 1.12^2 times as many.
     EXPECT_NEAR(mm_of(made), 60 - 0.8, 1e-9);
     area /= mm_of(made) * mm_of(made) * mean_of(field);
-    EXPECT_GT(area, 1.05);
+    EXPECT_GT(area, 1.03);
     EXPECT_LT(area, 1.12 * 1.12);
     options.inks = inks_of("red,blue");
     EXPECT_EQ(stipple(kDrawing, options).layers[3].ink.name, "blue 0.3mm");
@@ -186,9 +186,9 @@ TEST(Stippling, AlongEdgesWithAPenHasStrokesOfItsWidthAndInkForWhereTheyCross) {
             EXPECT_GE(stroke.a, stroke.b);
             area += 2 * mm * (stroke.a - stroke.b) * 0.5 + 3.14159265 / 4 * 0.25;
         }
-        // Few strokes are long, and more of them are cut at the picture's edges.
-        EXPECT_LE(area / (mm * mm * mean_of(layers)), 1.001);
-        EXPECT_GE(area / (mm * mm * mean_of(layers)), count == 0 ? 0.99 : 0.88);
+        // Few strokes are long: they cross more, and more of them are cut at the picture's edges.
+        EXPECT_LE(area / (mm * mm * mean_of(layers)), count == 0 ? 1.02 : 1.5);
+        EXPECT_GE(area / (mm * mm * mean_of(layers)), count == 0 ? 0.98 : 0.88);
         EXPECT_GT(mm * made.path_length,
                   2 * (area - 3.14159265 / 16 * double(made.ellipses.size())));
         // The ramp's edges go up, and so do the strokes.
@@ -199,7 +199,7 @@ TEST(Stippling, AlongEdgesWithAPenHasStrokesOfItsWidthAndInkForWhereTheyCross) {
                   options.plot_seconds = 5;
                   stipple(ramp(), options);
               }),
-              "plot-time 5 s: the strokes alone take 6 min: give a wider --dot-size");
+              "plot-time 5 s: the strokes alone take 4 min: give a wider --dot-size");
 }
 
 TEST(Stippling, AsALineHasInkForThePictureAndForWhereItLiesOnItself) {
@@ -249,8 +249,12 @@ TEST(Stippling, OnDarkPaperInInksWithSeveralPensCoversWhatEachInkIsNeededFor) {
     std::size_t i = 0;
     double ink = 0, right = 0;
     for (const Layer& layer : made.layers)
-        for (std::size_t k = 0; k < layer.dots; ++k, ++i)
+        for (std::size_t k = 0; k < layer.dots; ++k, ++i) {
             EXPECT_NEAR(mm_of(made) * made.diameters[i], layer.ink.pen_mm, 1e-12);
+            ink += layer.ink.pen_mm * layer.ink.pen_mm;
+            if (made.result.points[i].x > 0.5) right += layer.ink.pen_mm * layer.ink.pen_mm;
+        }
+    EXPECT_NEAR(right / ink, 0.75, 0.03);
 }
 
 TEST(Stippling, OnATorusForATimeHasAsManyDotsAsOnABox) {

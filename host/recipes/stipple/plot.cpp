@@ -6,7 +6,7 @@
 #include <span>
 
 #include "drawing/page.h"
-#include "drawing/pen/plotting_time.h"
+#include "drawing/plotting_time.h"
 #include "recipes/stipple/strokes.h"
 
 namespace lacuna::recipes {

@@ -1,5 +1,5 @@
 // A pen takes as long as it must accelerate and slow down.
-#include "drawing/pen/plotting_time.h"
+#include "drawing/plotting_time.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The model is that of AxiDraw's software: the pen goes at full speed or accelerates, and before a
 // corner it slows down as much as its angle asks for. docs/stipple.md has its numbers.
-#include "drawing/pen/plotting_time.h"
+#include "drawing/plotting_time.h"
 
 #include <algorithm>
 #include <array>
