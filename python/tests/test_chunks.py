@@ -99,3 +99,26 @@ def test_frames_that_are_too_narrow_are_refused():
         {"n": 50, "torus": True, "frame": 0.2},
     ):
         refused(lacuna.BadRequest, "frame", lacuna.sample_many, range(3), **more)
+
+
+def test_one_lake_serves_the_chunks_beside_it_and_within_it() -> None:
+    lake = [100 * np.array([(0, 0), (1, 0), (1, 1), (0, 1)])]
+    beside, within = (0, 192, 64, 256), (10, 10, 74, 74)
+    full = lacuna.sample(3, domain=beside, outside=lake, seed=1)
+    assert len(full) > 300 and lacuna.verify(full, outside=lake, edge=3 / 16).maximal
+    black = np.zeros((2, 2))
+    for domain, places in (
+        (within, {"outside": lake}),
+        (beside, {"inside": lake}),
+        (beside, {"near": [(lake, 2)]}),
+        (beside, {"mask": black}),
+    ):
+        empty = lacuna.sample(3, domain=domain, seed=1, **places)  # type: ignore[arg-type]
+        assert len(empty) == 0 and empty.maximal
+        proof = lacuna.verify(empty.points, 3, domain=domain, **places)  # type: ignore[arg-type]
+        assert proof.maximal
+        edge = {} if "mask" in places else {"edge": 0.1}
+        refused(ValueError, "n", lacuna.sample, n=9, domain=domain, **edge, **places)
+        # The next chunk keeps the points of this one, which are none.
+        assert len(lacuna.sample(3, domain=(74, 10, 138, 74), keep=empty, seed=1)) > 300
+    assert not lacuna.draw_mask(lake, 0.5, domain=beside).any()

@@ -200,8 +200,10 @@ def test_rings_of_arrays_enclose_what_the_same_rings_of_a_text_do(tmp_path: Path
         assert mask[int((15 - spot) * side), int(spot * side)] == is_inside
     for places in ({"inside": rings}, {"outside": rings}, {"avoid": [(rings, 0.5)]}):
         made = lacuna.sample(0.5, domain=(15, 15), seed=1, **places)  # type: ignore[arg-type]
-        proof = lacuna.verify(made.points, 0.5, domain=(15, 15), **places)  # type: ignore[arg-type]
-        assert proof.maximal
+        proof = lacuna.verify(
+            made.points, 0.5, domain=(15, 15), edge=0.5 / 16, **places  # type: ignore[arg-type]
+        )
+        assert proof.maximal, proof
         middle = (abs(made.points - 5.5) < 0.5).all(axis=1)
         assert middle.any() == ("inside" in places)
 
@@ -347,7 +349,6 @@ RING = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
         (ValueError, "memory_limit", {"memory_limit": 0}),
         (TypeError, "edge", {"edge": "fine"}),
         (TypeError, "domain", {"domain": 3}),
-        (ValueError, "rings", {"rings": [[(2, 2), (3, 2), (2, 3)]], "domain": (1, 1)}),
         (ValueError, "rings", {"rings": RING}),  # one ring is a list of one
         (ValueError, "rings", {"rings": [np.ones((3, 3))]}),
         (TypeError, "rings", {"rings": [RING, None]}),
