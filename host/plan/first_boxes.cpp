@@ -231,7 +231,7 @@ private:
     const Sheets& sheets_;
     const PlacesOfClasses& places_;
     const RadiusField* own_ = nullptr;   // the places of the sheet's class alone
-    std::uint32_t factor_ = FACTOR_ONE;  // of the radii to which lengths are compared
+    std::uint64_t factor_ = FACTOR_ONE;  // of the radii to which lengths are compared
     std::uint32_t pieces_;
     std::uint32_t most_in_region_ = 0;  // boxes
     FirstBoxes first_;

@@ -162,6 +162,8 @@ Plan make_radius_field_plan(const CheckedRequest& checked, const Poll& poll,
     for (std::uint32_t i = 0; !are_alike && i < field.sheets.count(); ++i)
         places.push_back(field_of(border_of(around, i), mask_of(around, i)));
     check_lengths(request, *field.radius_field);
+    field.sheets =
+        sheets_of(request, field.radius_field->under({0, plan.width, 0, plan.height}).greatest);
     field.kept = kept_on(*field.radius_field, field.sheets, around, checked.members());
     for (const Sample sample : samples)
         field.kept.push_back(

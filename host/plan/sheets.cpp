@@ -16,7 +16,7 @@
 namespace lacuna {
 namespace {
 
-// The largest ratio of two distances. Factors then fit into 32 bits.
+// The largest ratio of two distances.
 constexpr double kMostRatio = 4000;
 constexpr double kMostWeight = 65536;
 // A class of a smaller share of the greatest weight counts as one of this share.
@@ -130,18 +130,27 @@ void check_counts(const Request& request) {
     }
 }
 
+// The factor of two classes, from the share of the least distance that they keep: rounded up to a
+// multiple of 2^-20 or, if that would make their distance over half a grid unit longer, of 2^-32.
+// The first is precise enough for short distances, whose sets were made with it before.
+std::uint64_t factor_of(double share, std::uint32_t most_radius) {
+    constexpr double kOne = static_cast<double>(FACTOR_ONE);
+    const double coarse = std::ceil(share * 0x1p20) * 0x1p-20;
+    const bool is_far_off = (coarse - share) * most_radius > 0.5;
+    return static_cast<std::uint64_t>(is_far_off ? std::ceil(share * kOne) : coarse * kOne);
+}
+
 }  // namespace
 
 Sheets::Sheets(std::uint32_t count, std::span<const double> distances,
-               std::span<const double> weights)
+               std::span<const double> weights, std::uint32_t most_radius)
     : count_(count),
       bits_(count == 1 ? BITS_OF_ONE_SHEET
                        : 32 - static_cast<std::uint32_t>(std::bit_width(std::max(count, 4U) - 1))),
       factors_(MOST_CLASSES * std::size_t{MOST_CLASSES}) {
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = 0; j < count; ++j)
-            factors_[i * MOST_CLASSES + j] =
-                static_cast<std::uint32_t>(std::ceil(distances[i * count + j] * FACTOR_ONE));
+            factors_[i * MOST_CLASSES + j] = factor_of(distances[i * count + j], most_radius);
     const double greatest = *std::max_element(weights.begin(), weights.end());
     for (const double weight : weights) {
         const double share = std::max(weight / greatest, kLeastShareOfWeight);
@@ -150,19 +159,16 @@ Sheets::Sheets(std::uint32_t count, std::span<const double> distances,
     }
 }
 
-std::uint32_t Sheets::greatest_factor(std::uint32_t sheet) const {
+std::uint64_t Sheets::greatest_factor(std::uint32_t sheet) const {
     const auto row =
         factors_.begin() + static_cast<std::ptrdiff_t>(std::size_t{sheet} * MOST_CLASSES);
     return *std::max_element(row, row + static_cast<std::ptrdiff_t>(count_));
 }
 
-std::uint32_t Sheets::factor_of_boxes(std::uint32_t sheet) const {
-    std::uint32_t least = factor(sheet, sheet);
-    for (std::uint32_t other = 0; other < count_; ++other) {
-        const std::uint32_t own = factor(other, other);
-        // At most twice as long. Twice a large factor would exceed 32 bits.
-        if (factor(sheet, other) != 0 && own <= least / 2) least = 2 * own;
-    }
+std::uint64_t Sheets::factor_of_boxes(std::uint32_t sheet) const {
+    std::uint64_t least = factor(sheet, sheet);
+    for (std::uint32_t other = 0; other < count_; ++other)  // at most twice as long
+        if (factor(sheet, other) != 0) least = std::min(least, 2 * factor(other, other));
     return least;
 }
 
@@ -186,11 +192,12 @@ std::vector<double> distances_of(const Request& request) {
     return distances;
 }
 
-Sheets sheets_of(const Request& request) {
+Sheets sheets_of(const Request& request, std::uint32_t most_radius) {
     if (request.classes.names.empty()) return {};
     std::vector<double> weights = request.classes.weights;
     weights.resize(request.classes.names.size(), weights.empty() ? 1.0 : 0.0);
-    return {static_cast<std::uint32_t>(weights.size()), distances_of(request), weights};
+    return {static_cast<std::uint32_t>(weights.size()), distances_of(request), weights,
+            most_radius};
 }
 
 double border_of(const Request& request, std::size_t of_class) {

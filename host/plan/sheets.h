@@ -17,8 +17,10 @@ class Sheets {
 public:
     // One class, and one sheet: the domain.
     Sheets() : Sheets(1, std::vector{1.0}, std::vector{1.0}) {}
-    // `distances` is a matrix, as distances_of() returns it.
-    Sheets(std::uint32_t count, std::span<const double> distances, std::span<const double> weights);
+    // `distances` is a matrix, as distances_of() returns it. `most_radius` is the greatest radius
+    // of a sample in grid units.
+    Sheets(std::uint32_t count, std::span<const double> distances, std::span<const double> weights,
+           std::uint32_t most_radius = 0);
 
     std::uint32_t count() const { return count_; }
     bool are_several() const { return count_ > 1; }
@@ -33,16 +35,16 @@ public:
     }
 
     // The factor with which samples of two classes keep their distance.
-    std::uint32_t factor(std::uint32_t a, std::uint32_t b) const {
+    std::uint64_t factor(std::uint32_t a, std::uint32_t b) const {
         return factors_[a * std::size_t{MOST_CLASSES} + b];
     }
     // The greatest factor of a class with any other.
-    std::uint32_t greatest_factor(std::uint32_t sheet) const;
+    std::uint64_t greatest_factor(std::uint32_t sheet) const;
     // The factor by which first boxes are long on the sheet. It is that within the class. But if
     // samples of another class may lie far closer together, boxes are shorter, so that a block has
     // at most some hundred neighbours.
-    std::uint32_t factor_of_boxes(std::uint32_t sheet) const;
-    const std::vector<std::uint32_t>& factors() const { return factors_; }
+    std::uint64_t factor_of_boxes(std::uint32_t sheet) const;
+    const std::vector<std::uint64_t>& factors() const { return factors_; }
 
     // A class is drawn in proportion to its weight and its free area. One of weight 0 is never
     // drawn: its samples are kept points.
@@ -51,12 +53,13 @@ public:
 private:
     std::uint32_t count_;
     std::uint32_t bits_;
-    std::vector<std::uint32_t> factors_;  // MOST_CLASSES to a row
+    std::vector<std::uint64_t> factors_;  // MOST_CLASSES to a row
     std::vector<std::uint32_t> weights_;  // the greatest is 2^16, others are at least 1, or 0
 };
 
-// The sheets of a request, which was checked. Without classes there is one.
-Sheets sheets_of(const Request& request);
+// The sheets of a request, which was checked. Without classes there is one. `most_radius` is the
+// greatest radius of a sample in grid units.
+Sheets sheets_of(const Request& request, std::uint32_t most_radius = 0);
 
 // The least distances of a request's classes, class by class in rows, as shares of the least that
 // is not 0. Without classes there is one distance.

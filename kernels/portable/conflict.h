@@ -23,27 +23,27 @@ struct Sized {
 LACUNA_TYPEDEF(Sized)
 
 // The square of the distance that samples of these radii must keep.
-LACUNA_FN u64 squared_limit(u32 radius_a, u32 radius_b, u32 factor) {
+LACUNA_FN u64 squared_limit(u32 radius_a, u32 radius_b, u64 factor) {
     u64 limit = times_factor(radius_a < radius_b ? radius_a : radius_b, factor);
     return limit * limit;
 }
 
 // Both must have the x of one sheet.
-LACUNA_FN bool conflicts(Sized a, Sized b, u32 factor, u32 period_x, u32 period_y) {
+LACUNA_FN bool conflicts(Sized a, Sized b, u64 factor, u32 period_x, u32 period_y) {
     return are_closer(a.x, a.y, b.x, b.y, period_x, period_y,
                       squared_limit(a.radius, b.radius, factor));
 }
 
 // How far the chord reaches up and down from the sample's height (see chord_reach), on a line at
 // distance dx from the sample.
-LACUNA_FN u32 chord(Sized neighbour, u32 dx, u32 box_radius, u32 factor) {
+LACUNA_FN u32 chord(Sized neighbour, u32 dx, u32 box_radius, u64 factor) {
     return chord_reach(dx, squared_limit(neighbour.radius, box_radius, factor));
 }
 
 // Whether a sample's disk holds a whole box, so that every candidate there conflicts with it. The
 // distances from the far edges are computed as for a chord.
 LACUNA_FN bool covers_box(Sized one, u32 x, u32 width, u32 begin, u32 end, u32 box_radius,
-                          u32 factor, u32 period_x, u32 period_y) {
+                          u64 factor, u32 period_x, u32 period_y) {
     u32 half_width = width / 2u;
     u32 half_height = (end - begin) / 2u;
     return squared_length(axis_distance(one.x, x + half_width, period_x) + half_width,

@@ -219,29 +219,29 @@ LACUNA_END
 #define SCREEN_WITH_FIELD_BINDINGS(B) B(0, READ, Candidate, candidates)                         \
     B(1, READ, u32, candidate_radii) B(2, READ, u32, lists) B(3, READ, Neighbour, entries)      \
     B(4, BOTH, u32, statuses) B(5, SHARED, u32, outcomes) B(6, WRITE, u32, survivors)           \
-    B(7, SHARED, u32, report) B(8, READ, u32, factors) B(9, READ, u32, axes)                    \
+    B(7, SHARED, u32, report) B(8, READ, Wide, factors) B(9, READ, u32, axes)                    \
     B(10, READ, Ellipse, ellipses)
 #define REACH_BINDINGS(B) B(0, READ, Candidate, candidates) B(1, READ, u32, candidate_radii)    \
     B(2, READ, u32, statuses) B(3, READ, Box, tree_boxes) B(4, READ, Links, tree_links)         \
     B(5, READ, BlockNode, node_of) B(6, SHARED, u32, report) B(7, SHARED, u32, visitor_heads)   \
-    B(8, WRITE, Visitor, visitors) B(9, READ, u32, survivors) B(10, READ, u32, factors)         \
+    B(8, WRITE, Visitor, visitors) B(9, READ, u32, survivors) B(10, READ, Wide, factors)         \
     B(11, READ, u32, axes) B(12, READ, Ellipse, ellipses) B(13, READ, u32, open_parts)
 #define ADMIT_WITH_FIELD_BINDINGS(B) B(0, READ, Candidate, candidates)                          \
     B(1, READ, u32, candidate_radii) B(2, SHARED, u32, statuses) B(3, READ, u32, visitor_heads) \
     B(4, READ, Visitor, visitors) B(5, SHARED, u32, report) B(6, SHARED, u32, outcomes)         \
-    B(7, READ, u32, factors) B(8, READ, u32, axes) B(9, READ, Ellipse, ellipses)
+    B(7, READ, Wide, factors) B(8, READ, u32, axes) B(9, READ, Ellipse, ellipses)
 #define ENLIST_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, Candidate, candidates)          \
     B(2, READ, u32, candidate_radii) B(3, READ, u32, statuses) B(4, READ, u32, visitor_heads)   \
     B(5, READ, Visitor, visitors) B(6, WRITE, Neighbour, entries) B(7, BOTH, u32, lists)        \
     B(8, READ, BlockNode, node_of) B(9, READ, Box, tree_boxes) B(10, READ, Links, tree_links)   \
-    B(11, READ, u32, factors) B(12, SHARED, u32, open_parts)
+    B(11, READ, Wide, factors) B(12, SHARED, u32, open_parts)
 #define SPLIT_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, u32, axes)                       \
     B(2, READ, Radii, radius_bounds) B(3, READ, u32, mask_nodes) B(4, READ, Box, boxes)         \
     B(5, READ, Origin, origins) B(6, WRITE, Borders, borders) B(7, WRITE, StripRadii, strip_radii)
 #define CUT_WITH_FIELD_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, Box, boxes)             \
     B(2, READ, Origin, origins) B(3, READ, u32, lists) B(4, READ, Neighbour, entries)           \
     B(5, READ, Borders, borders) B(6, READ, StripRadii, strip_radii) B(7, BOTH, u32, counts)    \
-    B(8, BOTH, Span, strip_pieces) B(9, WRITE, Origin, new_origins) B(10, READ, u32, factors)   \
+    B(8, BOTH, Span, strip_pieces) B(9, WRITE, Origin, new_origins) B(10, READ, Wide, factors)   \
     B(11, READ, u32, axes) B(12, READ, Ellipse, ellipses)
 #define KEEP_WITH_FIELD_BINDINGS(B) CUT_WITH_FIELD_BINDINGS(B) B(13, READ, u32, sums)           \
     B(14, READ, u32, tops) B(15, WRITE, Box, new_boxes)
@@ -264,7 +264,7 @@ LACUNA_END
     B(Radii, radius_bounds) B(u32, mask_nodes) B(Origin, origins) B(Origin, new_origins)        \
     B(Borders, borders) B(StripRadii, strip_radii) B(Box, tree_boxes) B(Links, tree_links)      \
     B(BlockNode, node_of) B(u32, visitor_heads) B(Visitor, visitors) B(u32, lists)              \
-    B(Neighbour, entries) B(u32, survivors) B(u32, factors) B(Ellipse, ellipses)                \
+    B(Neighbour, entries) B(u32, survivors) B(Wide, factors) B(Ellipse, ellipses)                \
     B(u32, open_parts)                                                                          \
     LACUNA_RELAX_BUFFERS(B)
 

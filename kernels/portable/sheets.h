@@ -9,9 +9,9 @@
 #define MOST_CLASSES 16u
 #define BITS_OF_ONE_SHEET 31u
 
-// Two classes keep a multiple of the least distance: a factor of 2^-20.
-#define FACTOR_BITS 20u
-#define FACTOR_ONE 0x100000u
+// Two classes keep a multiple of the least distance: a factor of 2^-32.
+#define FACTOR_BITS 32u
+#define FACTOR_ONE 0x100000000ul
 // With classes no distance on the domain is as large, and its square fits into 62 bits.
 #define LARGEST_LIMIT 0x7fffffffu
 
@@ -31,11 +31,13 @@ LACUNA_FN u32 x_beside(u32 x, u32 other_x, u32 sheet_bits) {
     return x_on_sheet(x, sheet_bits) | (other_x >> sheet_bits << sheet_bits);
 }
 
-// The product, rounded up.
-LACUNA_FN u32 times_factor(u32 radius, u32 factor) {
+// The product, rounded up. The factor's whole part and its fraction are multiplied one by one, so
+// that each product fits into 64 bits.
+LACUNA_FN u32 times_factor(u32 radius, u64 factor) {
     if (factor == FACTOR_ONE) return radius;
-    u64 product = radius;
-    product = (product * factor + (FACTOR_ONE - 1u)) >> FACTOR_BITS;
+    u64 wide = radius;
+    u64 product = wide * (factor >> FACTOR_BITS) +
+                  ((wide * (factor & (FACTOR_ONE - 1u)) + (FACTOR_ONE - 1u)) >> FACTOR_BITS);
     return product < LARGEST_LIMIT ? to_u32(product) : LARGEST_LIMIT;
 }
 

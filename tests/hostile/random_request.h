@@ -177,8 +177,9 @@ private:
         }
         if (!is(kClasses, "none")) {
             // docs/placement.md: distances may differ by 4,000; progressive orders of such take
-            // long.
-            const double ratio = !request.progressive && choose_.one_in(6) ? 300 : 8;
+            // long. Nearly equal ones must not become equal in whole numbers.
+            double ratio = !request.progressive && choose_.one_in(6) ? 300 : 8;
+            if (choose_.one_in(4)) ratio = 1 + choose_.power(1e-9, 0.03);
             request.classes =
                 random_classes(choose_, is(kClasses, "sum"), is(kClasses, "union"), ratio);
             radius *= std::sqrt(crowd_of(request.classes));

@@ -15,6 +15,7 @@
 #include "plan/first_boxes.h"
 #include "plan/make_plan.h"
 #include "plan/plan.h"
+#include "plan/sheets.h"
 
 namespace {
 
@@ -33,6 +34,26 @@ TEST(PixelAxis, CutsItsLengthIntoPixelsToAUnit) {
                 EXPECT_EQ(axis.pixel_of(axis.begin_of(pixel + 1) - 1), pixel);
             }
         }
+    }
+}
+
+// docs/exact.md, "Why the set is maximal".
+TEST(Sheets, RoundDistancesUpByOneAndAHalfUnitsAtMost) {
+    std::mt19937_64 random(8);
+    const auto in = [&](double low, double high) {
+        return low + (high - low) * std::generate_canonical<double, 53>(random);
+    };
+    for (int turn = 0; turn < 20000; ++turn) {
+        const double ratio = 1 + std::pow(10, in(-10, 3.6));
+        const auto radius = static_cast<std::uint32_t>(std::pow(2, in(9, 30)) / ratio) + 1;
+        const Sheets sheets(2, std::vector{1.0, 0.0, 0.0, ratio}, std::vector{1.0, 1.0}, radius);
+        EXPECT_EQ(portable::times_factor(radius, sheets.factor(0, 0)), radius);
+        EXPECT_EQ(sheets.factor(0, 1), 0U);
+        const double exact = radius * ratio;
+        const auto rounded =
+            static_cast<double>(portable::times_factor(radius, sheets.factor(1, 1)));
+        ASSERT_GE(rounded, exact * (1 - 0x1p-50)) << radius << " times " << ratio;
+        ASSERT_LT(rounded, exact + 1.5001) << radius << " times " << ratio;
     }
 }
 

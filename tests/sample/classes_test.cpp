@@ -248,6 +248,47 @@ TEST(Classes, AreProgressive) {
     }
 }
 
+// Both sets had a gap when factors were multiples of 2^-20.
+TEST(Classes, OfNearlyEqualDistancesHaveNoGap) {
+    const auto expect_maximal = [](const Request& request) {
+        const Result result = sample(request);
+        std::vector<Level> levels = result.levels;
+        if (levels.empty()) levels.push_back({.size = result.radius, .points = result.points.size()});
+        for (const Level& level : levels) {
+            Claim claim = claim_of(request, result);
+            claim.radius = level.size;
+            claim.class_of_points = std::span(result.classes).first(level.points);
+            EXPECT_TRUE(prove(std::span(result.points).first(level.points), claim).maximal)
+                << "the first " << level.points << " points";
+        }
+    };
+    Request request = request_of({0.0125, 0, 0, 0.0125000001}, {0, 1});
+    request.seed = 361;
+    expect_maximal(request);
+
+    Request kept = request_of({0.0784234, 0, 0, 0.0800121}, {10.048, 1});
+    kept.domain = {2, 1, Boundary::box, -1.03346, -1.52815};
+    kept.seed = 3;
+    kept.progressive = true;
+    const std::vector<Point> points{
+        {-0.22078409421672163, -1.2822522054372327}, {0.7200864392866022, -1.3578799298998636},
+        {0.24694092124091727, -0.9220212819496469},  {0.6789476574260509, -1.510053583760636},
+        {-0.773803663858833, -1.3482805132074076},   {0.16286339381474813, -1.4892224403742231},
+        {-0.06658375949314199, -1.4599508226114677}, {0.18578339403699173, -0.9983482020509123},
+        {0.5448985891684, -1.3425608606882427},      {-0.4696536177827457, -1.280871277630996},
+        {0.7011661202429806, -1.1178869218070855},   {0.1528872567321733, -1.1375488682990473},
+        {-0.40054063232828496, -1.0163695560226707}, {0.5183872306334327, -1.407787547997882},
+        {0.4138083872354672, -0.6124407044485871},   {-0.06521636846291967, -1.309741473544562},
+        {0.9125550095647084, -1.1674558040175993},   {0.4248193272434144, -0.5579308655192182},
+        {0.380309685717805, -0.8414596672658181},    {-0.49383263333767147, -1.0066083929769691},
+        {-0.3359719204609066, -0.6755719001658819}};
+    const std::vector<std::uint8_t> classes{1, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0,
+                                            0, 1, 0, 0, 0, 1, 1, 0, 1, 0};
+    kept.keep = points;
+    kept.keep_classes = classes;
+    expect_maximal(kept);
+}
+
 TEST(Classes, AreTheSameInABatchOfSeeds) {
     Request request = request_of(distances_by_sum(std::vector{0.05, 0.02}));
     const std::vector<std::uint64_t> seeds{3, 4, 5};

@@ -15,7 +15,7 @@ namespace {
 
 // Whether the sample is closer to the box than both its own radius and the greatest under the box,
 // each times the factor. Without periods there is no branch.
-bool is_reached(const Box& box, std::uint32_t greatest, const Sized& sample, std::uint32_t factor,
+bool is_reached(const Box& box, std::uint32_t greatest, const Sized& sample, std::uint64_t factor,
                 std::uint32_t period_x, std::uint32_t period_y) {
     const auto distance = [](std::uint32_t at, std::uint32_t begin, std::uint32_t end,
                              std::uint32_t period) {
@@ -78,7 +78,7 @@ bool NeighbourLists::covers(const There& there, std::uint32_t block) const {
 }
 
 NeighbourLists::There NeighbourLists::there(const Sized& sample, std::uint32_t sheet) const {
-    const std::uint32_t factor = sheets_.factor(sheets_.of(sample.x), sheet);
+    const std::uint64_t factor = sheets_.factor(sheets_.of(sample.x), sheet);
     return {{sheets_.x_on(sheet, sample.x), sample.y, sample.radius},
             factor,
             portable::times_factor(sample.radius, factor),

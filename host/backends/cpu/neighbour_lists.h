@@ -180,7 +180,7 @@ private:
     // radii under blocks get there.
     struct There {
         Sized sample;
-        std::uint32_t factor;
+        std::uint64_t factor;
         std::uint32_t reach;               // of the sample: its radius times the factor
         const portable::Ellipse* ellipse;  // null where there are none
         bool is_own;                       // whether it is the sample's own sheet

@@ -54,7 +54,7 @@ public:
         // Read once: the compiler cannot know that the arrays do not overlap the sheets.
         const std::uint32_t begin = sheets.begin_of(sheet), last = sheets.last();
         const std::uint32_t bits = sheets.bits();
-        const std::uint32_t* const factors = &sheets.factors()[sheet * std::size_t{MOST_CLASSES}];
+        const std::uint64_t* const factors = &sheets.factors()[sheet * std::size_t{MOST_CLASSES}];
         for (std::size_t i = 0; i < samples.count; ++i) {
             x_[i] = (samples.x[i] & last) + begin;
             y_[i] = samples.y[i];

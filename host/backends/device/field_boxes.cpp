@@ -107,7 +107,7 @@ private:
         Memory& m = round_.memory;
         m.axes = round_.copy_of(tables.axes);
         m.mask_nodes = round_.copy_of(tables.mask_nodes);
-        m.factors = round_.copy_of(round_.plan.field().sheets.factors());
+        round_.put_in_room<std::uint64_t>(m.factors, round_.plan.field().sheets.factors());
         m.ellipses = round_.copy_of(tables.ellipses);
         using Radii = RadiusField::Radii;
         static_assert(sizeof(Radii) == 2 * kWord);

@@ -22,7 +22,7 @@ namespace {
 // of its class and the sheet's.
 struct Neighbour {
     Sized sized;
-    std::uint32_t factor;
+    std::uint64_t factor;
 };
 
 // All samples that one sheet sees, in a grid of square cells, called bins, for each magnitude of

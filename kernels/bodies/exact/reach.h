@@ -7,7 +7,7 @@
 
 // Whether a candidate is closer to a box than both its own radius and the greatest under the box,
 // each times the factor. Its x is on the sheet of the box.
-BODY bool is_reached(const Box box, const u32 greatest, const Sized candidate, const u32 factor,
+BODY bool is_reached(const Box box, const u32 greatest, const Sized candidate, const u64 factor,
                      const u32 period_x, const u32 period_y) {
     return squared_length(distance_to_stretch(candidate.x, box.x, box.x + box.width, period_x),
                           distance_to_stretch(candidate.y, box.begin, box.end, period_y)) <
@@ -46,7 +46,7 @@ BODY u32 node_around(MEMORY const DrawArguments a, const Candidate candidate, co
 BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root) {
     const Candidate candidate = LOAD(Candidate, candidates, i);
     const u32 sheet_x = LOAD(Box, tree_boxes, root).x;
-    const u32 factor = factor_of(ON a.g, candidate.x, sheet_x);
+    const u64 factor = factor_of(ON a.g, candidate.x, sheet_x);
     const Sized there = {x_beside(candidate.x, sheet_x, a.g.sheet_bits), candidate.y,
                          AT(candidate_radii, i)};
     const bool has_block = candidate.home != NO_SAMPLE && there.x == candidate.x;
