@@ -1,19 +1,14 @@
-// The beginning of the npm package: reads the module, for lacuna.js, which web/CMakeLists.txt puts
-// after it.
+// The beginning of the npm package, for lacuna.js, which web/CMakeLists.txt puts after it. WASM is
+// the module as a text, so that it begins at once, in node and browsers alike, whichever way the
+// package is loaded.
 const self = globalThis.self ?? { location: { href: "" } }; // lacuna.js looks where a worker lies
 
-const file = new URL("lacuna.wasm", import.meta.url);
-const wasm =
-    file.protocol === "file:"
-        ? (await import(/* webpackIgnore: true */ /* @vite-ignore */ "node:fs")).readFileSync(file)
-        : await (await fetch(file)).arrayBuffer();
-let begin;
-const begun = new Promise((resolve) => (begin = resolve));
 var Module = {
     instantiateWasm(imports, done) {
-        WebAssembly.instantiate(wasm, imports).then(({ instance }) => done(instance));
-        return {};
+        const bytes = Uint8Array.from(atob(WASM), (one) => one.charCodeAt(0));
+        const instance = new WebAssembly.Instance(new WebAssembly.Module(bytes), imports);
+        done(instance);
+        return instance.exports;
     },
-    onRuntimeInitialized: () => begin(),
     tell() {},
 };

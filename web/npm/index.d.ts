@@ -1,10 +1,70 @@
 // Types of the npm package.
 
+/** A number, or a text as on the command line, such as "20k". */
+export type Numeric = number | bigint | string;
+
+/** Parts of a list; a text has commas between them. */
+export type List = string | readonly (string | number)[];
+
 /**
- * Options of the command `lacuna sample` or `lacuna stipple`, in camelCase; a flag is true.
- * `{ count: 2000, sizeByTone: 0.5, invert: true }` is `--count 2000 --size-by-tone 0.5 --invert`.
+ * What both functions have: options of the command, in camelCase. `lacuna sample --help` says what
+ * each means; a flag is true.
  */
-export type Options = Record<string, string | number | bigint | boolean | readonly string[] | undefined>;
+export interface Options {
+    count?: Numeric;
+    scale?: Numeric;
+    torus?: boolean;
+    limit?: Numeric;
+    seed?: Numeric;
+    relax?: Numeric;
+    linesPerRadius?: Numeric;
+    roundSize?: Numeric;
+    threads?: Numeric;
+    backend?: "auto" | "cpu";
+    device?: string;
+}
+
+/** `{ count: 2000, onPixels: "64x64" }` is `--count 2000 --on-pixels 64x64`. */
+export interface SampleOptions extends Omit<Options, "scale"> {
+    radius?: Numeric;
+    domain?: string;
+    onPixels?: string;
+    border?: Numeric;
+    progressive?: boolean;
+    mode?: "exact" | "lines" | "stratified";
+    uniformX?: boolean;
+    snap?: boolean;
+}
+
+/** `{ count: 2000, sizeByTone: 0.5, invert: true }` is `--count 2000 --size-by-tone 0.5 --invert`. */
+export interface StippleOptions extends Options {
+    metric?: "min" | "mean" | "max";
+    invert?: boolean;
+    black?: Numeric;
+    white?: Numeric;
+    background?: "white" | "black";
+    autoLevels?: boolean;
+    sharpen?: Numeric;
+    along?: Numeric;
+    gamma?: Numeric;
+    minImportance?: Numeric;
+    mode?: "stratified" | "cells" | "exact";
+    inks?: List;
+    blackInk?: Numeric;
+    paperColour?: string;
+    inkCounts?: List;
+    dotSize?: string;
+    pens?: List;
+    paperSize?: string;
+    margin?: string;
+    sizeByTone?: Numeric;
+    keepInside?: boolean;
+    penPath?: boolean;
+    pathLine?: boolean;
+    plotTime?: string;
+    secondsPerDot?: Numeric;
+    secondsPerMetre?: Numeric;
+}
 
 export interface PointSet {
     /** x and y of each point, one after the other; y is upwards. */
@@ -39,7 +99,7 @@ export interface Stippling extends PointSet {
 }
 
 /** The points of `lacuna sample`. Throws an Error that names the option and what it must be. */
-export function sample(options?: Options): PointSet;
+export function sample(options?: SampleOptions): PointSet;
 
 /** The dots of `lacuna stipple` on this image. Throws an Error as sample does. */
-export function stipple(image: Image, options?: Options): Stippling;
+export function stipple(image: Image, options?: StippleOptions): Stippling;

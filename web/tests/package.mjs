@@ -1,12 +1,16 @@
 // Compares the npm package with the command: node web/tests/package.mjs PACKAGE_FOLDER PROGRAM
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
+import { createRequire } from "node:module";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 
 const [folder, program] = process.argv.slice(2).map((argument) => path.resolve(argument));
-const { sample, stipple } = await import(path.join(folder, "index.js"));
+const required = createRequire(import.meta.url)(folder);
+const entry = JSON.parse(readFileSync(path.join(folder, "package.json"))).exports.import;
+const { sample, stipple } = await import(path.join(folder, entry));
+assert.ok(required.sample === sample && required.stipple === stipple);
 const scratch = mkdtempSync(path.join(tmpdir(), "lacuna-"));
 
 // The coordinates that the command writes; an .npy ends with them.
@@ -25,6 +29,10 @@ try {
     assert.ok(count > 1500 && made.width === 1 && made.height === 1 && made.radius === 0.02);
     const words = ["sample", "--radius", "0.02", "--torus", "--seed", "1"];
     assert.deepEqual(made.points, written(words, count));
+
+    const pixels = sample({ onPixels: "8x4", count: 5 });
+    assert.deepEqual(pixels.points, written(["sample", "--on-pixels", "8x4", "--count", "5"], 5));
+    assert.equal(pixels.width, 8);
 
     const [width, height] = [40, 30];
     const data = new Uint8ClampedArray(4 * width * height).fill(255);
@@ -51,12 +59,45 @@ try {
         [{ radius: 0.1, torus: 5 }, "torus 5: must have no value"],
         [{ radius: 0.1, inside: "a.svg" }, "inside a.svg: is possible with the program lacuna alone"],
         [{ lightYears: 1 }, "light-years 1: is no option of this command"],
+        [
+            { radius: 0.1, mask: new Uint8Array(9) },
+            "mask: is a file, which is possible with the program lacuna alone",
+        ],
+        [
+            { radius: new Float64Array(1) },
+            "radius: must be a text, a number, true or a list, not Float64Array",
+        ],
+        [{ radius: null }, "radius: must be a text, a number, true or a list, not null"],
     ])
         assert.throws(() => sample(options), { message });
     assert.throws(() => sample({ radius: "0.1\ntorus\n" }), /one line/);
     assert.throws(() => stipple({ width, height, data: data.subarray(4) }), /must be 4800 bytes/);
     assert.throws(() => stipple({ width: 0.5, height, data }), /must be whole numbers/);
     assert.equal(sample({ radius: 0.1, seed: 5 }).diameters, null);
+    // The types list what the functions accept.
+    const types = readFileSync(path.join(folder, "index.d.ts"), "utf8");
+    const keysOf = (name) => {
+        const [, more, body] = types.match(new RegExp(`interface ${name}( extends .*)? {([^}]*)}`));
+        const own = [...body.matchAll(/(\w+)\?:/g)].map(([, key]) => key);
+        return more ? [...keysOf("Options"), ...own].filter((key) => !more.includes(`"${key}"`)) : own;
+    };
+    for (const [name, command, make] of [
+        ["SampleOptions", "sample", sample],
+        ["StippleOptions", "stipple", (options) => stipple(image, options)],
+    ]) {
+        const help = execFileSync(program, [command, "--help"], { encoding: "utf8" });
+        const accepted = [...help.matchAll(/^ +(?:-\w,)?--([a-z-]+)/gm)]
+            .map(([, option]) => option.replace(/-(.)/g, (_, letter) => letter.toUpperCase()))
+            .filter((key) => {
+                try {
+                    make({ [key]: 1 });
+                } catch ({ message }) {
+                    return !/with the program lacuna alone|is no option|without --field/.test(message);
+                }
+                return true;
+            });
+        assert.deepEqual(keysOf(name).sort(), accepted.sort());
+    }
     console.log(`web: the npm package makes ${count} points and 500 dots with the command's bytes`);
 } finally {
     rmSync(scratch, { recursive: true });
