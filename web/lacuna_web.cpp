@@ -101,8 +101,11 @@ struct Asked {
 };
 
 // Throws BadRequest for what the command or this module does not have, which read() leaves out.
-void check_names(const recipes::CommandLine& line, const recipes::Targets& targets) {
+// Notes whether there is a domain.
+void check_names(const recipes::CommandLine& line, const recipes::Targets& targets,
+                 recipes::Given& noted) {
     for (const auto& [name, values] : line.given) {
+        noted.has_domain |= name == "domain";
         const recipes::Option* option = recipes::find_option(line.command, name);
         const std::string value = values.empty() ? "given" : shown(values.front());
         const auto refuse = [&name = name, &value](const char* why) {
@@ -128,7 +131,7 @@ Asked asked_by(recipes::CommandLine& line) {
             {"mode", &asked.given.mode}, {"relax", &asked.given.relax}, {"mask", &asked.mask}};
         targets.merge(recipes::targets_of(asked.stipple.request));
     }
-    check_names(line, targets);
+    check_names(line, targets, asked.given);
     line.sort();
     recipes::read(line, targets);
     return asked;

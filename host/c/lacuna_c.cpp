@@ -92,6 +92,7 @@ lacuna_set* sampled(const char* options, const lacuna_given* given) {
         recipes::read_text(recipes::kSample, options, targets, c::names_of(given, "field"));
     const c::Given held(given, request, line);
     classes.take_to(request);
+    choices.has_domain = line.has("domain");
     choices.gaussian = moves.gaussian;
     moves.iterations = recipes::relax_of(choices);
     recipes::settle(choices, request);

@@ -19,6 +19,7 @@
 namespace lacuna {
 namespace {
 
+constexpr std::array<std::string_view, 5> kMeshes{"obj", "stl", "off", "gltf", "glb"};
 constexpr std::string_view kAllowed = "must end in .svg, .svgz, .geojson, .geojsonl, .json or .txt";
 
 Polygons decode_whole_svg(std::string_view bytes, const std::string& name, domains::Take take) {
@@ -78,7 +79,11 @@ Polygons decode(std::string_view bytes, std::string_view format, const std::stri
 Polygons read(const std::string& path, const char* option, domains::Take take) {
     const auto [file, layer] = domains::file_and_layer(path);
     const std::string format = extension_of(file);
-    if (find(format) == nullptr) throw BadRequest(option, path, std::string(kAllowed));
+    const bool is_mesh = std::find(kMeshes.begin(), kMeshes.end(), format) != kMeshes.end();
+    if (find(format) == nullptr)
+        throw BadRequest(
+            option, path,
+            (is_mesh ? "is in space, but domains are flat: " : "") + std::string(kAllowed));
     return decode(files::read_whole(file), format, files::name_of(file), take, layer);
 }
 

@@ -23,12 +23,12 @@ void trim_end(std::string_view& text) {
     while (text.ends_with(' ') || text.ends_with('\t')) text.remove_suffix(1);
 }
 
+}  // namespace
+
 bool is_number(std::string_view field) {
     double number = 0;
     return take_number(field, number) != std::errc::invalid_argument && field.empty();
 }
-
-}  // namespace
 
 CsvRows::CsvRows(std::string_view bytes, const std::string& name)
     : rest_(without_byte_order_mark(bytes)), name_(name) {

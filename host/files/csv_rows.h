@@ -10,6 +10,9 @@
 
 namespace lacuna::files {
 
+// Whether a field is a number.
+bool is_number(std::string_view field);
+
 class CsvRows {
 public:
     // `bytes` and `name`, which stands for the file in messages, must outlive the rows. The first

@@ -29,7 +29,7 @@ constexpr std::array<Named, 4> kCmyk{{{"cyan", {0x00, 0x9e, 0xe3}},
                                       {"magenta", {0xe6, 0x00, 0x7e}},
                                       {"yellow", {0xff, 0xed, 0x00}},
                                       {"black", {0x1d, 0x1d, 0x1b}}}};
-constexpr std::array<Named, 13> kPens{{{"black", {0x00, 0x00, 0x00}},
+constexpr std::array<Named, 18> kPens{{{"black", {0x00, 0x00, 0x00}},
                                        {"grey", {0x80, 0x80, 0x80}},
                                        {"white", {0xff, 0xff, 0xff}},
                                        {"red", {0xe0, 0x10, 0x20}},
@@ -37,11 +37,16 @@ constexpr std::array<Named, 13> kPens{{{"black", {0x00, 0x00, 0x00}},
                                        {"yellow", {0xff, 0xed, 0x00}},
                                        {"green", {0x00, 0x96, 0x40}},
                                        {"cyan", {0x00, 0x9e, 0xe3}},
+                                       {"turquoise", {0x00, 0xa8, 0xa0}},
                                        {"blue", {0x00, 0x40, 0xc0}},
+                                       {"navy", {0x10, 0x20, 0x60}},
                                        {"purple", {0x80, 0x20, 0xa0}},
                                        {"magenta", {0xe6, 0x00, 0x7e}},
                                        {"pink", {0xff, 0x80, 0xb0}},
-                                       {"brown", {0x80, 0x48, 0x20}}}};
+                                       {"brown", {0x80, 0x48, 0x20}},
+                                       {"copper", {0xb8, 0x73, 0x33}},
+                                       {"gold", {0xd4, 0xaf, 0x37}},
+                                       {"silver", {0xc0, 0xc0, 0xc0}}}};
 constexpr std::size_t kMostInks = 16;
 
 std::string names_of_pens() {

@@ -36,14 +36,8 @@ void check_border(const Request& request, double border, const std::string& valu
 
 void check_places_of_classes(const Request& request) {
     const Classes& classes = request.classes;
-    const std::size_t count = classes.names.size();
-    const auto check_size = [&](const char* option, std::size_t size, const char* what) {
-        if (size != 0 && size != count)
-            throw BadRequest(option, std::to_string(size) + what,
-                             "must be one for each of the " + std::to_string(count) + " classes");
-    };
-    check_size("border", classes.borders.size(), " borders of classes");
-    check_size("mask", classes.masks.size(), " masks of classes");
+    check_each(classes, "border", classes.borders.size(), " borders of classes");
+    check_each(classes, "mask", classes.masks.size(), " masks of classes");
     for (std::size_t i = 0; i < classes.borders.size(); ++i)
         check_border(request, classes.borders[i],
                      classes.names[i] + ":" + shortest(classes.borders[i]));

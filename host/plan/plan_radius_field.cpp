@@ -126,11 +126,6 @@ void check_lengths(const Request& request, const RadiusField& radius_field) {
                              shortest(request.domain.shorter_side()));
 }
 
-// Units along the longer side: no sheet may reach into the next, nor the last one beyond 32 bits.
-double units_of(const Sheets& sheets) {
-    return sheets.are_several() ? std::min(kRadiusFieldUnits, sheets.last()) : kRadiusFieldUnits;
-}
-
 }  // namespace
 
 Plan make_radius_field_plan(const CheckedRequest& checked, const Poll& poll,
@@ -143,8 +138,10 @@ Plan make_radius_field_plan(const CheckedRequest& checked, const Poll& poll,
     const Request& around = outer.request;
     const double longer = around.domain.longer_side();
     FieldPlan field;
-    field.sheets = sheets_of(request);
-    const double units = units_of(field.sheets);
+    // No sheet may reach into the next, nor the last one beyond 32 bits.
+    const std::size_t classes = request.classes.names.size();
+    const std::uint32_t last = Sheets::last_of(static_cast<std::uint32_t>(classes));
+    const double units = std::min(kRadiusFieldUnits, last);  // along the longer side
     Plan plan;
     plan.width = static_cast<std::uint32_t>(units * (around.domain.width / longer));
     plan.height = static_cast<std::uint32_t>(units * (around.domain.height / longer));
@@ -153,13 +150,12 @@ Plan make_radius_field_plan(const CheckedRequest& checked, const Poll& poll,
     const auto field_of = [&](double border, const Mask* mask) {
         return std::make_shared<const RadiusField>(
             request.field, scale, mask,
-            shape_of(around, request.domain, border, plan.width, plan.height, field.sheets.last()),
-            poll);
+            shape_of(around, request.domain, border, plan.width, plan.height, last), poll);
     };
     const bool are_alike = !has_own_places(around.classes);
     field.radius_field = are_alike ? field_of(around.border, around.mask) : field_of(0, nullptr);
     PlacesOfClasses places;
-    for (std::uint32_t i = 0; !are_alike && i < field.sheets.count(); ++i)
+    for (std::size_t i = 0; !are_alike && i < classes; ++i)
         places.push_back(field_of(border_of(around, i), mask_of(around, i)));
     check_lengths(request, *field.radius_field);
     field.sheets =

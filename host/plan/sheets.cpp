@@ -2,6 +2,7 @@
 #include "plan/sheets.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -47,10 +48,7 @@ void check_names(const Classes& classes) {
 
 void check_weights(const Classes& classes) {
     if (classes.weights.empty()) return;
-    if (classes.weights.size() != classes.names.size())
-        throw BadRequest(
-            "class", std::to_string(classes.weights.size()) + " weights",
-            "must be one for each of the " + std::to_string(classes.names.size()) + " classes");
+    check_each(classes, "class", classes.weights.size(), " weights");
     for (std::size_t i = 0; i < classes.weights.size(); ++i)
         if (!std::isfinite(classes.weights[i]) || classes.weights[i] < 0)
             throw BadRequest("class", classes.names[i],
@@ -62,6 +60,13 @@ void check_weights(const Classes& classes) {
 }
 
 }  // namespace
+
+void check_each(const Classes& classes, const char* option, std::size_t size, const char* what) {
+    const std::size_t count = classes.names.size();
+    if (size != 0 && size != count)
+        throw BadRequest(option, std::to_string(size) + what,
+                         "must be one for each of the " + std::to_string(count) + " classes");
+}
 
 void check_distances(const Classes& classes) {
     const std::size_t count = classes.names.size();
@@ -109,9 +114,7 @@ void check_counts(const Request& request) {
     const auto refuse = [](const std::string& which, const std::string& why) {
         throw BadRequest("class", which, why);
     };
-    if (classes.counts.size() != count)
-        refuse(std::to_string(classes.counts.size()) + " numbers of points",
-               "must be one for each of the " + std::to_string(count) + " classes");
+    check_each(classes, "class", classes.counts.size(), " numbers of points");
     for (std::size_t i = 0; i < count; ++i) {
         const std::optional<std::uint64_t>& own = classes.counts[i];
         if (!own) continue;
@@ -142,15 +145,13 @@ std::uint64_t factor_of(double share, std::uint32_t most_radius) {
 
 }  // namespace
 
+Sheets::Sheets() : Sheets(1, std::array{1.0}, std::array{1.0}) {}
+
 Sheets::Sheets(std::uint32_t count, std::span<const double> distances,
                std::span<const double> weights, std::uint32_t most_radius)
-    : count_(count),
-      bits_(count == 1 ? BITS_OF_ONE_SHEET
-                       : 32 - static_cast<std::uint32_t>(std::bit_width(std::max(count, 4U) - 1))),
-      factors_(MOST_CLASSES * std::size_t{MOST_CLASSES}) {
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t j = 0; j < count; ++j)
-            factors_[i * MOST_CLASSES + j] = factor_of(distances[i * count + j], most_radius);
+    : count_(count), bits_(static_cast<std::uint32_t>(std::bit_width(last_of(count)))) {
+    for (std::size_t i = 0; i < distances.size(); ++i)
+        factors_[i / count * MOST_CLASSES + i % count] = factor_of(distances[i], most_radius);
     const double greatest = *std::max_element(weights.begin(), weights.end());
     for (const double weight : weights) {
         const double share = std::max(weight / greatest, kLeastShareOfWeight);
@@ -160,9 +161,8 @@ Sheets::Sheets(std::uint32_t count, std::span<const double> distances,
 }
 
 std::uint64_t Sheets::greatest_factor(std::uint32_t sheet) const {
-    const auto row =
-        factors_.begin() + static_cast<std::ptrdiff_t>(std::size_t{sheet} * MOST_CLASSES);
-    return *std::max_element(row, row + static_cast<std::ptrdiff_t>(count_));
+    const auto row = factors().subspan(sheet * std::size_t{MOST_CLASSES}, count_);
+    return *std::max_element(row.begin(), row.end());
 }
 
 std::uint64_t Sheets::factor_of_boxes(std::uint32_t sheet) const {

@@ -4,6 +4,7 @@
 
 #include <lacuna/lacuna.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,9 +17,9 @@ namespace lacuna {
 class Sheets {
 public:
     // One class, and one sheet: the domain.
-    Sheets() : Sheets(1, std::vector{1.0}, std::vector{1.0}) {}
-    // `distances` is a matrix, as distances_of() returns it. `most_radius` is the greatest radius
-    // of a sample in grid units.
+    Sheets();
+    // `distances` is a matrix, as distances_of() returns it. Factors are exact enough for samples
+    // of up to `most_radius`, in grid units.
     Sheets(std::uint32_t count, std::span<const double> distances, std::span<const double> weights,
            std::uint32_t most_radius = 0);
 
@@ -27,8 +28,11 @@ public:
     std::uint32_t bits() const { return bits_; }
     std::uint32_t of(std::uint32_t x) const { return portable::sheet_of(x, bits_); }
     std::uint32_t begin_of(std::uint32_t sheet) const { return count_ == 1 ? 0 : sheet << bits_; }
-    // All bits that x may have on one sheet.
+    // All bits that x may have on one sheet, and on one of `count`.
     std::uint32_t last() const { return (std::uint32_t{1} << bits_) - 1; }
+    static std::uint32_t last_of(std::uint32_t count) {
+        return ~std::uint32_t{0} >> (count <= 1 ? 1 : count <= 4 ? 2 : count <= 8 ? 3 : 4);
+    }
     std::uint32_t x_on_sheet(std::uint32_t x) const { return x & last(); }
     std::uint32_t x_on(std::uint32_t sheet, std::uint32_t x) const {
         return x_on_sheet(x) + begin_of(sheet);
@@ -44,7 +48,7 @@ public:
     // samples of another class may lie far closer together, boxes are shorter, so that a block has
     // at most some hundred neighbours.
     std::uint64_t factor_of_boxes(std::uint32_t sheet) const;
-    const std::vector<std::uint64_t>& factors() const { return factors_; }
+    std::span<const std::uint64_t> factors() const { return factors_; }
 
     // A class is drawn in proportion to its weight and its free area. One of weight 0 is never
     // drawn: its samples are kept points.
@@ -53,12 +57,11 @@ public:
 private:
     std::uint32_t count_;
     std::uint32_t bits_;
-    std::vector<std::uint64_t> factors_;  // MOST_CLASSES to a row
+    std::array<std::uint64_t, MOST_CLASSES * MOST_CLASSES> factors_{};  // MOST_CLASSES to a row
     std::vector<std::uint32_t> weights_;  // the greatest is 2^16, others are at least 1, or 0
 };
 
-// The sheets of a request, which was checked. Without classes there is one. `most_radius` is the
-// greatest radius of a sample in grid units.
+// The sheets of a request, which was checked. Without classes there is one.
 Sheets sheets_of(const Request& request, std::uint32_t most_radius = 0);
 
 // The least distances of a request's classes, class by class in rows, as shares of the least that
@@ -83,6 +86,8 @@ bool has_counts(const Classes& classes);
 // weight and no number of points, or no class at all.
 bool has_open_class(const Classes& classes);
 
+// Checks that there is none of `what`, or one for each class. Throws BadRequest.
+void check_each(const Classes& classes, const char* option, std::size_t size, const char* what);
 // Checks the distances of classes that have names. Throws BadRequest.
 void check_distances(const Classes& classes);
 // Checks the names, radii, weights and distances of classes. Throws BadRequest.

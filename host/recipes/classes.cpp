@@ -76,7 +76,8 @@ std::vector<double> radii_of_objects(const Request& request) {
 }  // namespace
 
 Classes read_classes(const ClassOptions& options,
-                     std::vector<double> (*read_matrix)(const std::string& path)) {
+                     std::vector<double> (*read_matrix)(const std::string& path,
+                                                        const std::vector<std::string>& names)) {
     Classes classes;
     if (options.given.empty()) return classes;
     std::vector<double> radii;
@@ -95,7 +96,7 @@ Classes read_classes(const ClassOptions& options,
         classes.counts.push_back(one.count);
         radii.push_back(one.radius.value_or(0));
     }
-    classes.distances = options.has_file()           ? read_matrix(options.between)
+    classes.distances = options.has_file()           ? read_matrix(options.between, classes.names)
                         : options.between == "union" ? distances_by_union(radii)
                                                      : distances_by_sum(radii);
     check_distances(classes);

@@ -16,9 +16,10 @@ struct ClassOptions {
 };
 
 // The classes, without names if none were given. `read_matrix` reads the file of --between, class
-// by class in rows. Throws BadRequest and what `read_matrix` throws.
+// by class in rows, in the order of `names`. Throws BadRequest and what `read_matrix` throws.
 Classes read_classes(const ClassOptions& options,
-                     std::vector<double> (*read_matrix)(const std::string& path));
+                     std::vector<double> (*read_matrix)(const std::string& path,
+                                                        const std::vector<std::string>& names));
 
 // Gives a request of classes a radius or, with a field, a scale: their least distance, unless the
 // request has one already, or a count.

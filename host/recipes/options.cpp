@@ -113,7 +113,8 @@ constexpr Row kRows[] = {
     {{"between", "RULE", Kind::word_or_file, kPlaced, {.words = Words::between}},
      "The least distance of two classes. sum (default): the sum of their radii, as of objects that "
      "do not overlap; union: each class alone and all together are evenly distributed; or a file "
-     "of distances, .csv or .json, a row and a column a class, which leaves no R to --class"},
+     "of distances, .csv or .json, a row and a column a class, perhaps with their names, which "
+     "leaves no R to --class"},
     {{"mask", "[NAME:]IMAGE", Kind::places, kPlaced, {.repeats = true}},
      "A picture that says where points may lie: on pixels that are neither black nor transparent; "
      "NAME:IMAGE is that of one class, and may be given for each"},
@@ -128,8 +129,8 @@ constexpr Row kRows[] = {
      "is for one class"},
     {{"avoid", "FILE[:WIDTH]", Kind::obstacles, kPlaced, {.repeats = true}},
      "Obstacles that points stay away from: points of a .csv, by its column radius, or lines and "
-     "outlines of a .svg, .geojson or .txt, within WIDTH; FILE.svg:stroke has the widths of its "
-     "strokes; FILE.svg#NAME as for --inside; may be given several times"},
+     "outlines of a .svg, .geojson or .txt, within WIDTH; FILE.svg:stroke has the widths drawn; "
+     "FILE.svg#NAME as for --inside; may be given several times"},
     {{"near", "FILE[:D]", Kind::obstacles, kPlaced, {.repeats = true}},
      "Points lie within D of the lines, outlines or points in this file, which is as for --avoid; "
      "may be given several times, and points are then near to any"},
@@ -264,8 +265,8 @@ constexpr Row kRows[] = {
      "more is seen"},
     {{"frames", "PATTERN", Kind::text, kStipple},
      "In place of IMAGE: the pictures of a sequence, such as 'in/*.png', in the order of their "
-     "names, each to a file -o 'out/{frame}.svg'. Each dot keeps its index, except along a path "
-     "of a pen and with --pens: with --dot-size 0.5mm give --no-pen-path"},
+     "names (2 before 10), each to a file -o 'out/{frame}.svg'. Each dot keeps its index, except "
+     "along a path of a pen and with --pens: with --dot-size 0.5mm give --no-pen-path"},
     {{"keep-inside", "", Kind::flag, kStipple},
      "Keeps dots off white, and in the picture: dots that overhang an edge are moved inwards, and "
      "in a shape narrower than a dot they are smaller and denser, but not smaller than a pen. "

@@ -46,14 +46,17 @@ std::string without_separators(std::string_view text) {
     return (digits.size() - first) % 3 == 0 ? digits : "";
 }
 
-// A whole number with an exponent, or with k, M or G behind it. Doubles are exact up to 2^53.
+// A whole number with an exponent, or with k, M or G behind it. Doubles are exact up to
+// 2^53. 10.000 is none: it is ten to some readers and ten thousand to others.
 std::optional<std::uint64_t> round_number(std::string text) {
     constexpr std::array<std::pair<char, const char*>, 4> kSuffixes{
         {{'k', "e3"}, {'K', "e3"}, {'M', "e6"}, {'G', "e9"}}};
     for (const auto& [suffix, exponent] : kSuffixes)
         if (text.ends_with(suffix)) text.replace(text.size() - 1, 1, exponent);
+    const std::size_t thousands = text.size() - std::min<std::size_t>(text.size(), 4);
+    const bool is_unclear = text[thousands] == '.' && text.find_first_of("eE") == std::string::npos;
     double number = 0;
-    if (text.empty() || !(is_digit(text.front()) || text.front() == '.') ||
+    if (text.empty() || is_unclear || !(is_digit(text.front()) || text.front() == '.') ||
         parse_whole_text(text, number) != std::errc{} || number > 0x1p53 ||
         number != std::floor(number))
         return std::nullopt;
@@ -169,8 +172,8 @@ std::vector<std::string> parts_of_list(const std::string& text) {
 void read_domain(const std::string& option, const std::string& text, Domain& domain) {
     const auto refuse = [&] {
         throw BadRequest(option, shown(text),
-                         "must be WIDTHxHEIGHT, two numbers such as 1x1 or 2.5x1, or "
-                         "X0,Y0+WIDTHxHEIGHT with the lower left corner, such as "
+                         "must be WIDTHxHEIGHT of a flat domain, two numbers such as 1x1 or "
+                         "2.5x1, or X0,Y0+WIDTHxHEIGHT with the lower left corner, such as "
                          "448000,5411000+2000x1500");
     };
     std::string_view view = text;

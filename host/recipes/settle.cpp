@@ -42,6 +42,10 @@ void settle(const Given& given, Request& request) {
     if (given.metric && !given.is_picture && request.field == nullptr)
         throw BadRequest("metric", std::string(name_of(*given.metric)), "is for a field");
     request.mode = mode_of(given, request);
+    if (request.on_pixels && !given.has_domain) {
+        request.domain.width = request.on_pixels->columns;
+        request.domain.height = request.on_pixels->rows;
+    }
     if (request.mode == Mode::stratified && relax == 0 && given.gaussian == 0)
         throw BadRequest("mode", std::string(name_of(request.mode)), "is a start for --relax");
     request.metric = given.metric.value_or(request.mode == Mode::cells && relax != 0 ? Metric::mean

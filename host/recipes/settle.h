@@ -14,6 +14,7 @@ struct Given {
     bool is_picture = false;    // the set is the dots of a picture, as of stipple
     bool has_inks = false;      // in several inks
     bool has_ellipses = false;  // samples have ellipses instead of disks
+    bool has_domain = false;
     std::optional<Mode> mode{};
     std::optional<Metric> metric{};
     std::optional<std::uint32_t> relax{};  // how often the points are moved after sampling
@@ -28,7 +29,7 @@ std::uint32_t relax_of(const Given& given);
 // before.
 //   - Points that will be relaxed begin stratified, if nothing was given that is about distances:
 //     radius, scale, metric, limit, lines per radius or round size. Inks always do.
-//   - Samples on pixels are of mode pixels.
+//   - Samples on pixels are of mode pixels. Without a domain it has as many units as pixels.
 //   - Other dots of a picture are made in mode cells, ellipses and all other sets in mode exact.
 //   - In cells the metric is mean if the points will be relaxed. Otherwise it is min.
 // Throws BadRequest if points would be moved too often, if a stratified set would not be moved at

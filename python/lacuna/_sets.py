@@ -313,8 +313,13 @@ class PointSet(HasPoints):
             "version": _core.version,
             "request": dict(self._request),
             "count": len(self),
-            "radius": self.radius,
         }
+        if self.class_of is not None:
+            counts = np.bincount(self.class_of, minlength=len(self.classes)).tolist()
+            report["classes"] = [
+                {"name": name, "count": count} for name, count in zip(self.classes, counts)
+            ]
+        report["radius"] = self.radius
         if self.scale is not None:
             report["scale"] = self.scale
         report.update(

@@ -23,7 +23,9 @@
 #include "options.h"
 #include "parts.h"
 #include "plan/kept.h"
+#include "plan/radius_field.h"
 #include "plan/sheets.h"
+#include "plan/sizes.h"
 #include "polygon_sets.h"
 #include "recipes/classes.h"
 #include "recipes/settle.h"
@@ -168,8 +170,10 @@ void keep_domain(const nb::dict& given, nb::dict& made) {
 // Decides the mode and the metric of a request that has its field.
 void settle(const nb::dict& given, const recipes::Moves& moves, Request& request) {
     const bool has_ellipses = request.field != nullptr && !request.field->stretches.empty();
-    recipes::Given asked{
-        .has_ellipses = has_ellipses, .relax = moves.iterations, .gaussian = moves.gaussian};
+    recipes::Given asked{.has_ellipses = has_ellipses,
+                         .has_domain = true,
+                         .relax = moves.iterations,
+                         .gaussian = moves.gaussian};
     read(given, recipes::Targets{{"mode", &asked.mode}, {"metric", &asked.metric}});
     recipes::settle(asked, request);
 }
@@ -185,12 +189,18 @@ double edge_of(const nb::dict& given, const Request& request) {
         size = least_distance_of(request.classes);
     if (!size && request.count)
         throw BadRequest("edge", "missing", "n has no radius, of which it is a sixteenth");
-    if (size && request.field != nullptr)
-        *size /= std::sqrt(
-            *std::max_element(request.field->importance.begin(), request.field->importance.end()));
+    const double longer = request.domain.longer_side();
     // If the radius is invalid, the check of the request refuses it.
-    return size && *size > 0 && std::isfinite(*size) ? *size / 16
-                                                     : request.domain.longer_side() / 1000;
+    if (!size || !(*size > 0) || !std::isfinite(*size)) return longer / 1000;
+    double least = *size;
+    if (request.field != nullptr)
+        least /= std::sqrt(
+            *std::max_element(request.field->importance.begin(), request.field->importance.end()));
+    if (least < kSmallestRadius * longer) {  // which would be refused as an edge
+        check_classes(request);
+        check_radius_field_size(request, *size, nobody_asks);
+    }
+    return least / 16;
 }
 
 // Samples, and moves the points if that is asked for. Returns the attributes of a PointSet.

@@ -41,6 +41,16 @@ TEST(StippleFrames, EachDotKeepsItsIndexAndMovesLittle) {
                                  "--seed", "3", "-o", folder.path("{frame}.npy")});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 3) << "a line a picture";
+    const Folder ten;
+    for (int number = 9; number < 11; ++number) frame(ten, number);
+    std::filesystem::rename(ten.path("in/9.pgm"), ten.path("in/09b.pgm"));
+    std::filesystem::rename(ten.path("in/10.pgm"), ten.path("in/10a.pgm"));
+    frame(ten, 9);
+    const std::string lines = run({"stipple", "--frames", ten.path("in/*.pgm"), "--count", "9",
+                                   "-o", ten.path("{frame}.npy")})
+                                  .err;
+    EXPECT_LT(lines.find("/9.npy"), lines.find("/09b.npy")) << lines;
+    EXPECT_LT(lines.find("/09b.npy"), lines.find("/10a.npy")) << lines;
     const auto json_of = [&](const char* name) { return content_of(folder.path(name)); };
     ASSERT_EQ(run({"stipple", "--frames", folder.path("in/*.pgm"), "--count", "80", "-o",
                    folder.path("{frame}.json")})

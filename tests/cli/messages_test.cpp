@@ -46,7 +46,7 @@ TEST(Misprints, AreAnsweredWithTheOptionThatWasMeant) {
     expect_refusals(Files{}, "sample",
                     {{"--radis 0.1", 2, {"--radis: ", "did you mean --radius?"}},
                      {"--RADIUS 0.1", 2, {"--RADIUS: ", "did you mean --radius?"}},
-                     {"--dot 1mm", 2, {"--dot: ", "did you mean --dot-size?"}},
+                     {"--dot 1mm", 2, {"--dot: ", "did you mean --dot-size"}},
                      {"--lines=3", 2, {"--lines=3: ", "did you mean --lines-per-radius?"}}});
 }
 

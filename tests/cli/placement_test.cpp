@@ -232,7 +232,18 @@ TEST(Classes, AreRefusedInOneLine) {
               "lacuna: --between 0 distances: must be a matrix of 2 x 2, for as many classes\n");
     write_file(folder.path("m.csv"), "1,2\n2\n");
     EXPECT_EQ(refusal({"--class", "a", "--class", "b", "--between", folder.path("m.csv")}),
-              "lacuna: " + folder.path("m.csv") + ":2: 1 number: the first row has 2\n");
+              "lacuna: " + folder.path("m.csv") + ":2: 1 column: the first line has 2\n");
+    write_file(folder.path("m.csv"), "a;2,5;1\nb;1;3\n");
+    EXPECT_EQ(refusal({"--class", "a", "--class", "b", "--between", folder.path("m.csv")}),
+              "lacuna: " + folder.path("m.csv") +
+                  ":1: column 2 is \"2,5\": must be a finite number, such as 0.25\n");
+    write_file(folder.path("m.csv"), "a,x\n2,1\n1,3\n");
+    EXPECT_EQ(refusal({"--class", "a", "--class", "b", "--between", folder.path("m.csv")}),
+              "lacuna: " + folder.path("m.csv") +
+                  ":3: \"x\" must be a number, such as 0.25, or a class (a or b)\n");
+    write_file(folder.path("m.csv"), "a,a\n2,1\n1,3\n");
+    EXPECT_EQ(refusal({"--class", "a", "--class", "b", "--between", folder.path("m.csv")}),
+              "lacuna: " + folder.path("m.csv") + ": must name each class once, or none\n");
     EXPECT_EQ(refusal({"--class", "a:1", "--between", folder.path("m.csv")}),
               "lacuna: --class a:1: must have no radius with distances from a file: give NAME or "
               "NAME::WEIGHT\n");
@@ -245,6 +256,39 @@ TEST(Classes, AreRefusedInOneLine) {
     EXPECT_EQ(refusal(with(kWood, {"--keep", folder.path("kept.csv")})),
               "lacuna: " + folder.path("kept.csv") +
                   ": has points of the class rocks, which no --class names\n");
+}
+
+TEST(Classes, MayBeNamedInTheFileOfTheirDistances) {
+    const Folder folder;
+    const std::string file = folder.path("m.csv"), csv = folder.path("a.csv");
+    const auto made_with = [&](const std::string& matrix, const Names& classes) {
+        write_file(file, matrix);
+        const Outcome outcome = sample_with(with(classes, {"--between", file, "-o", csv}));
+        EXPECT_EQ(outcome.exit_code, 0) << matrix << outcome.err;
+        return content_of(csv);
+    };
+    const Names trees_first{"--class", "trees", "--class", "rocks"};
+    const Names rocks_first{"--class", "rocks", "--class", "trees"};
+    const std::string expected = made_with("0.2,0.1\n0.1,0.3\n", trees_first);
+    for (const char* const same :
+         {"0.2;0.1\n0.1;0.3\n", "0.2\t0.1\n0.1\t0.3\n", "0.2  0.1\n0.1 0.3\n",
+          ",trees,rocks\ntrees,0.2,0.1\nrocks,0.1,0.3\n",
+          "class;rocks;trees\ntrees;0.1;0.2\nrocks;0.3;0.1\n",
+          "\"rocks\",\"trees\"\n0.3,0.1\n0.1,0.2\n", "rocks,0.3,0.1\ntrees,0.1,0.2\n"})
+        EXPECT_EQ(made_with(same, trees_first), expected) << same;
+    const std::string turned = made_with("0.3,0.1\n0.1,0.2\n", rocks_first);
+    EXPECT_EQ(made_with("trees,rocks\n0.2,0.1\n0.1,0.3\n", rocks_first), turned);
+}
+
+TEST(Classes, AreCountedInTheSummaryAndTheReport) {
+    const Folder folder;
+    const std::string report = folder.path("r.json");
+    const Outcome outcome = tests::run({"sample", "--class", "a:0.05:1:3", "--class", "b:0.03:1:12",
+                                        "-o", folder.path("a.csv"), "--report", report});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("15 points (a 3, b 12), ")) << outcome.err;
+    EXPECT_EQ(Json::parse(content_of(report))["classes"],
+              Json::parse(R"([{"name": "a", "count": 3}, {"name": "b", "count": 12}])"));
 }
 
 TEST(Obstacles, ArePointsWithRadiiAndLinesWithAWidth) {

@@ -4,6 +4,7 @@
 #include <pty.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <regex>
@@ -11,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/pictures.h"
 #include "expectations.h"
 #include "program.h"
 
@@ -113,6 +115,21 @@ TEST(ProgressBar, IsNotShownWhenQuietNorOnADumbTerminal) {
     if (!terminal.exists()) GTEST_SKIP() << "no terminals here";
     EXPECT_EQ(shown_on(terminal, {"--quiet"}, {}), "");
     EXPECT_EQ(shown_on(terminal, {}, {{"TERM", "dumb"}}), "");
+    EXPECT_EQ(shown_on(terminal, {}, {{"TERM", ""}}), "");
+}
+
+TEST(Coordinates, OfAPictureFillNoTerminalUnlessTheyAreAskedFor) {
+    const Terminal terminal(120);
+    if (!terminal.exists()) GTEST_SKIP() << "no terminals here";
+    Setting setting;
+    setting.stdout_fd = terminal.fd();
+    const Words dots{"stipple", kRaccoon, "--count", "3", "--quiet"};
+    expect_one_error(run(dots, setting), 2, {"nothing says where the dots are to be written"});
+    EXPECT_EQ(terminal.text(), "");
+    expect_success(joined(dots, {"-o", "-"}), setting);
+    expect_success({"sample", "--count", "3", "--quiet"}, setting);
+    const std::string text = terminal.text();
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 6) << text;
 }
 
 TEST(ProgressBar, TellsHowFarAnAnalysisIsAndClearsItsLineAtTheEnd) {

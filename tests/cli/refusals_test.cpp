@@ -124,6 +124,12 @@ TEST(Refused, OfStippleAreBadOptions) {
         {"-c 9", 2, "did you mean --count?"},
         {"raccoon.png --count 10", 2, "raccoon.png", "no more arguments"},
         {"dots.svg", 2, "dots.svg: no more arguments are taken, did you mean -o dots.svg?"},
+        {"raccoon.png", 2,
+         "raccoon.png: no more arguments are taken: one picture is stippled, or "
+         "several with --frames 'PATTERN', in quotes; see"},
+        {"--paper A4", 2, "did you mean --paper-colour or --paper-size?"},
+        {"--time 2h", 2, "did you mean --plot-time?"},
+        {"--count 10.000", 2, "--count 10.000: must be a whole number, such as 20000, 20,000 or"},
     };
     expect_refusals(Files{}, "stipple raccoon.png -o a.svg", refusals);
 }

@@ -41,8 +41,25 @@ TEST(Refused, OfSampleAreFilesThatSayWherePointsMayLie) {
         {"triangle.txt", "0 0\n1 0\n0 1\n"},
         {"line.txt", "0 0\n1 0\n"},
         {"outside.txt", "0.5 0.5\n2 0.5\n"},
+        {"mesh.OBJ", "v 0 0 0\n"},
     };
+    expect_refusals(files, "sample --inside triangle.txt -o a.npy",
+                    {{"--radius 1e-8", 2, "--radius 1e-08: makes the least radius 1e-08"},
+                     {"--on-pixels 4000000x1 --domain 1x1 --count 5", 2, "--edge 1.56",
+                      " (by default a sixteenth of a pixel): must be at least 6e-08"},
+                     {"--class a:1e-8", 2, "--class a: the least distance of two classes is 2e-08"},
+                     {"--field raccoon.png --scale 1e-8", 2, "--scale 1e-08: makes the least"}});
+    expect_refusals(files, "sample --class a:0.2 --class b:0.1 -o a.csv",
+                    {{"--field a:raccoon.png", 2,
+                      "lacuna: --field a:raccoon.png: must be FILE alone: a class has no field of "
+                      "its own\n"},
+                     {"--keep b:outside.txt", 2,
+                      "lacuna: --keep b:outside.txt: must be FILE alone: its column class has each "
+                      "point's class\n"}});
     const Refusals refusals{
+        {"--inside mesh.OBJ", 2,
+         "lacuna: --inside mesh.OBJ: is in space, but domains are flat: must end in .svg, .svgz, "
+         ".geojson, .geojsonl, .json or .txt\n"},
         {"--inside triangle.txt --edge 1e-9", 2,
          "lacuna: --edge 1e-09: must be at least 6e-08, the longer side / 2^24"},
         {"--inside half.pgm", 2,

@@ -34,6 +34,20 @@ TEST(Sample, WritesToStandardOutputWhatItWritesToAFile) {
     EXPECT_EQ(folder.names(), Names{"a.txt"});
 }
 
+TEST(Sample, WritesToTheFileAfterAnEqualsSign) {
+    Setting shell;
+    shell.program = "/bin/sh";
+    for (const std::string word : {"-o=a.txt", "-o=-y.csv", "-ob.txt", "--output=-z.npy"}) {
+        const Folder folder;
+        const std::string line =
+            "cd " + folder.path(".") + " && exec " LACUNA_PROGRAM " sample --count 3 " + word;
+        EXPECT_EQ(run({"-c", line}, shell).exit_code, 0) << word;
+        EXPECT_EQ(folder.names().size(), 1U);
+        EXPECT_TRUE(word.ends_with(folder.names().front())) << folder.names().front();
+        EXPECT_EQ(folder.names().front().find('='), std::string::npos);
+    }
+}
+
 TEST(Sample, OnPixelsWritesAPictureWithAPixelForEach) {
     const Folder folder;
     const std::string png = folder.path("mask.png"), json = folder.path("a.json");

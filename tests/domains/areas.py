@@ -11,7 +11,7 @@ librsvg paints the drawings, and shapely computes the maps: no point may lie out
 say, and all that is deeper than the edge must be covered. Or the program refuses, with one line. Of
 the maps, `lacuna verify` must prove each set.
 
-Makes N cases (120), or as many as S seconds allow, and prints the seed, which is a new one each
+Makes N cases (600), or as many as S seconds allow, and prints the seed, which is a new one each
 time unless it is given. Ends with 1 at the first wrong case, whose file it prints. Without librsvg
 or shapely it prints a line with SKIPPED; then it ends with 1 if LACUNA_REQUIRE has "areas".
 """
@@ -563,7 +563,7 @@ def judge_map(random_: random.Random, program: Program):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
-    parser.add_argument("--cases", type=int, default=120)
+    parser.add_argument("--cases", type=int, default=600)
     parser.add_argument("--seconds", type=float)
     parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(10**9))
     parser.add_argument("--only", choices=["svg", "geojson"])

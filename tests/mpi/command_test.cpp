@@ -43,7 +43,12 @@ TEST(Mpi, TheProgressBarIsShownWhereItIsAskedFor) {
     std::vector<std::string> with_bar = options;
     with_bar.emplace_back("--progress");
     EXPECT_EQ(mpirun(ranks(2, options)).err.find('\r'), std::string::npos);
-    EXPECT_NE(mpirun(ranks(2, with_bar)).err.find("% "), std::string::npos);
+    for (const char* const terminal : {"xterm", "dumb"}) {
+        setenv("TERM", terminal, 1);
+        const std::string shown = mpirun(ranks(2, with_bar)).err;
+        EXPECT_NE(shown.find("% "), std::string::npos) << shown;
+        EXPECT_EQ(shown.find('\x1b') == std::string::npos, terminal == std::string("dumb"));
+    }
 }
 
 TEST(Mpi, HelpAndVersionAreToldOnce) {

@@ -46,7 +46,8 @@ TEST(Sheets, RoundDistancesUpByOneAndAHalfUnitsAtMost) {
     for (int turn = 0; turn < 20000; ++turn) {
         const double ratio = 1 + std::pow(10, in(-10, 3.6));
         const auto radius = static_cast<std::uint32_t>(std::pow(2, in(9, 30)) / ratio) + 1;
-        const Sheets sheets(2, std::vector{1.0, 0.0, 0.0, ratio}, std::vector{1.0, 1.0}, radius);
+        const std::vector distances{1.0, 0.0, 0.0, ratio};
+        const Sheets sheets(2, distances, std::vector{1.0, 1.0}, radius);
         EXPECT_EQ(portable::times_factor(radius, sheets.factor(0, 0)), radius);
         EXPECT_EQ(sheets.factor(0, 1), 0U);
         const double exact = radius * ratio;

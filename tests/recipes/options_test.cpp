@@ -190,6 +190,12 @@ TEST(TheTableOfWords, IsThatOfPythonAndOfThePage) {
                                     shortest(sheet.height_mm) + "\">" + std::string(paper) + "<";
         EXPECT_NE(page.find(control), std::string::npos) << control;
     }
+    // The menu of inks gives each name the colour that the table gives it.
+    const std::size_t menu = page.find("id=\"ink-kind\"");
+    const std::string inks = page.substr(menu, page.find("</select>", menu) - menu);
+    const std::regex named("[\",]([a-z]+)=(#[0-9a-f]{6})");
+    for (std::sregex_iterator found(inks.begin(), inks.end(), named), end; found != end; ++found)
+        EXPECT_EQ(paper_of((*found)[1]), paper_of((*found)[2])) << (*found)[1];
     const std::regex control("data-option=\"([^\"]+)\"");
     std::size_t controls = 0;
     for (std::sregex_iterator found(page.begin(), page.end(), control), end; found != end;

@@ -54,13 +54,17 @@ TEST(WholeNumbers, MayBeShortOrInGroupsOfThreeDigits) {
                                    "1e-3",    "-1",        "-0",       "-2k",
                                    "2kk",     "2e3k2",     "2e1k",     "1e40",
                                    "nan",     "inf",       "0x10",     "5 k",
-                                   " 5",      "1.000.000", "many",     "18446744073709551616"}) {
+                                   " 5",      "1.000.000", "many",     "18446744073709551616",
+                                   "10.000",  "1.500",     "1,000.000"}) {
         std::uint64_t value = 0;
         EXPECT_EQ(refusal_of([&] { read("seed", text, value); }),
                   "seed " + shown(text) +
                       ": must be a whole number, such as 20000, 20,000 or 20k, at most "
                       "18446744073709551615");
     }
+    double radius = 0;
+    read("radius", "0.125", radius);
+    EXPECT_EQ(radius, 0.125);
     std::uint32_t value = 0;
     EXPECT_EQ(refusal_of([&] { read("threads", "4294967296", value); }),
               "threads 4294967296: must be a whole number, such as 20000, 20,000 or 20k, at most "
@@ -82,10 +86,12 @@ TEST(Domains, HaveACrossBetweenTwoNumbers) {
     Domain domain;
     read_domain("domain", "2.5X1", domain);
     EXPECT_EQ(domain, (Domain{2.5, 1}));
-    for (const std::string text : {"1", "1x1x1", "axb", "", "x", "1x"})
-        EXPECT_TRUE(refusal_of([&] { read_domain("domain", text, domain); })
-                        .starts_with("domain " + shown(text) +
-                                     ": must be WIDTHxHEIGHT, two numbers such as 1x1 or 2.5x1, "))
+    for (const std::string text : {"1", "1x1x1", "0,0,0+1x1x1", "axb", "", "x", "1x"})
+        EXPECT_TRUE(
+            refusal_of([&] { read_domain("domain", text, domain); })
+                .starts_with(
+                    "domain " + shown(text) +
+                    ": must be WIDTHxHEIGHT of a flat domain, two numbers such as 1x1 or 2.5x1, "))
             << text;
 }
 

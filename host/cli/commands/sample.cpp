@@ -73,6 +73,7 @@ bool has_ellipses(const DomainOptions& options) {
 
 void run(const CommandLine& line, SampleCommand all) {
     all.given.has_ellipses = has_ellipses(all.domain);
+    all.given.has_domain = line.has("domain");
     all.moves.iterations = recipes::relax_of(all.given);
     all.given.gaussian = all.moves.gaussian;
     recipes::settle(all.given, all.common.request);
@@ -124,7 +125,8 @@ void run(const CommandLine& line, SampleCommand all) {
     write_set(writing, all.drawing, outputs, set.points(), style, [&] {
         return set.diameters(moves_points ? drawing::Spread::even : drawing::Spread::random);
     });
-    sum_up(options, outputs, made, "point", words_of_places(made_request));
+    sum_up(options, outputs, made, "point",
+           words_of(set.points().layers) + words_of_places(made_request));
 }
 
 void take_seeds(const std::string& text, std::optional<SeedRange>& seeds) {

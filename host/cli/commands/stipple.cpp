@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <lacuna/stipple.h>
+#include <unistd.h>
 
 #include <CLI/Error.hpp>
 
@@ -27,6 +28,7 @@
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/observers.h"
 #include "cli/terminal/progress_bar.h"
+#include "cli/terminal/run_program.h"
 #include "drawing/picture.h"
 #include "files/point_files.h"
 #include "recipes/read.h"
@@ -126,6 +128,9 @@ std::string names_of(const std::vector<Ink>& inks) {
 std::vector<Output> checked_outputs(const CommandLine& line, const StippleCommand& all,
                                     const StippleOptions& options) {
     check(options);
+    if (all.common.output.paths.empty() && isatty(STDOUT_FILENO) == 1)
+        throw BadUsage("nothing says where the dots are to be written: give -o FILE, one of " +
+                       files::written_extensions() + ", or -o - for coordinates on the terminal");
     const std::vector<Output> outputs = checked_outputs(all.common, files_read(line));
     check_ellipse_columns(all.ellipse_columns, outputs);
     if (!options.inks.empty() && !loss_of_columns(outputs).empty())
@@ -207,13 +212,11 @@ Json report_of_the_rest(const StippleCommand& all, const std::vector<Output>& ou
 // What is to be said of the number of dots, for the summary at the end: those of each layer, and
 // whether the library has chosen it.
 std::string note_on_count(const StippleOptions& options, const Stippling& made) {
-    std::string text;
-    for (const Layer& layer : made.layers)
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", layer.ink.name, layer.dots);
+    std::string text = words_of(made.layers);
     if (made.is_finished_sooner)
-        text += fmt::format("{}finished sooner than in {}: more would not suit",
-                            text.empty() ? "" : "; ", time_text(*options.plot_seconds));
-    if (!text.empty()) return " (" + text + ")";
+        text += fmt::format(" (finished sooner than in {}: more would not suit)",
+                            time_text(*options.plot_seconds));
+    if (!text.empty()) return text;
     return options.request.count || options.request.scale || options.plot_seconds
                ? ""
                : " (chosen for the picture: --count gives another number)";

@@ -10,14 +10,14 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-#include <system_error>
+#include <utility>
 
 #include "base/number_text.h"
 #include "domains/rings.h"
 #include "drawing/dot_size.h"
+#include "files/csv_rows.h"
 #include "files/parse.h"
 #include "files/read_whole.h"
-#include "files/text_lines.h"
 #include "plan/sheets.h"
 #include "recipes/classes.h"
 
@@ -26,37 +26,57 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A row of numbers with commas or blanks between them.
-std::vector<double> numbers_of(std::string_view line, const std::string& place) {
-    std::vector<double> row;
-    while (!line.empty()) {
-        files::skip_blanks(line);
-        if (line.starts_with(',')) line.remove_prefix(1);
-        files::skip_blanks(line);
-        if (line.empty()) break;
-        double number = 0;
-        if (files::take_number(line, number) != std::errc{})
-            files::refuse(place, fmt::format("{} must be a number", files::excerpt(line)));
-        row.push_back(number);
-    }
-    return row;
+// The matrix with rows and columns in the order of `names`. `down` and `across` are the places of
+// its own rows and columns there; empty if these have no names.
+std::vector<double> in_order(const std::vector<double>& all, std::vector<std::size_t> down,
+                             std::vector<std::size_t> across, std::size_t count,
+                             const std::string& file) {
+    if (down.empty()) down = across;
+    if (across.empty()) across = down;
+    if (down.empty() || all.size() != count * count) return all;
+    const auto has_each = [&](std::vector<std::size_t> places) {
+        std::sort(places.begin(), places.end());
+        places.erase(std::unique(places.begin(), places.end()), places.end());
+        return places.size() == count;
+    };
+    if (!has_each(down) || !has_each(across))
+        files::refuse(file, "must name each class once, or none");
+    std::vector<double> sorted(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        sorted[down[i / count] * count + across[i % count]] = all[i];
+    return sorted;
 }
 
-std::vector<double> matrix_of_csv(std::string_view bytes, const std::string& name) {
-    std::vector<double> all;
-    std::size_t columns = 0;
-    for (std::size_t number = 1; !bytes.empty(); ++number) {
-        const std::string_view line = files::take_line(bytes);
-        if (files::is_skipped(line)) continue;
-        const std::string place = fmt::format("{}:{}", name, number);
-        const std::vector<double> row = numbers_of(line, place);
-        if (columns != 0 && row.size() != columns)
-            files::refuse(place, fmt::format("{} number{}: the first row has {}", row.size(),
-                                             row.size() == 1 ? "" : "s", columns));
-        columns = row.size();
-        all.insert(all.end(), row.begin(), row.end());
+// Rows and columns may have the names of classes; without names they are in the order of `names`.
+std::vector<double> matrix_of_csv(std::string bytes, const std::string& file,
+                                  const std::vector<std::string>& names) {
+    // Blanks separate numbers, too, where nothing else does.
+    const auto are_blanks = [](char a, char b) { return a == ' ' && b == ' '; };
+    if (bytes.find_first_of(",;\t") == std::string::npos) {
+        bytes.erase(std::unique(bytes.begin(), bytes.end(), are_blanks), bytes.end());
+        std::replace(bytes.begin(), bytes.end(), ' ', '\t');
     }
-    return all;
+    files::CsvRows rows(bytes, file);
+    const auto place_of = [&](std::string_view name) {
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found == names.end())
+            files::refuse(rows.place(),
+                          fmt::format("{} must be a number, such as 0.25, or a class{}",
+                                      files::excerpt(name), recipes::among_names(names)));
+        return static_cast<std::size_t>(found - names.begin());
+    };
+    std::vector<double> all;
+    std::vector<std::size_t> down, across;
+    while (rows.next()) {
+        const bool has_name = !files::is_number(rows.field(0));
+        if (has_name) down.push_back(place_of(rows.field(0)));
+        for (std::size_t column = has_name ? 1 : 0; column < rows.columns(); ++column)
+            all.push_back(rows.number(column));
+    }
+    // The column of names has another name, or none.
+    for (std::size_t column = down.empty() ? 0 : 1; column < rows.names().size(); ++column)
+        across.push_back(place_of(rows.names()[column]));
+    return in_order(all, std::move(down), std::move(across), names.size(), file);
 }
 
 std::vector<double> matrix_of_json(const std::string& bytes, const std::string& name) {
@@ -77,11 +97,11 @@ std::vector<double> matrix_of_json(const std::string& bytes, const std::string& 
 
 }  // namespace
 
-std::vector<double> read_matrix(const std::string& path) {
-    const std::string bytes = files::read_whole(path);
+std::vector<double> read_matrix(const std::string& path, const std::vector<std::string>& names) {
+    std::string bytes = files::read_whole(path);
     const std::string name = files::name_of(path);
     if (path.ends_with(".json")) return matrix_of_json(bytes, name);
-    return matrix_of_csv(files::without_byte_order_mark(bytes), name);
+    return matrix_of_csv(std::move(bytes), name, names);
 }
 
 std::pair<std::string, std::string> class_and_path(const std::string& text,
@@ -91,6 +111,13 @@ std::pair<std::string, std::string> class_and_path(const std::string& text,
     if (colon == text.size() || std::find(names.begin(), names.end(), name) == names.end())
         return {"", text};
     return {name, text.substr(colon + 1)};
+}
+
+void refuse_class_of_file(const std::string& option, const std::string& text,
+                          const std::vector<std::string>& names, const std::string& why) {
+    const std::string path = class_and_path(text, names).second;
+    if (path != text && !std::filesystem::exists(text))
+        throw BadRequest(option, shown(text), "must be FILE alone: " + why);
 }
 
 void check_class_of_file(const std::string& option, const std::string& text,

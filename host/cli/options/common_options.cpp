@@ -71,6 +71,13 @@ Made make(const CommonOptions& options, recipes::Moves moves) {
     return made;
 }
 
+std::string words_of(std::span<const files::Layer> layers) {
+    std::string text;
+    for (const files::Layer& one : layers)
+        text += fmt::format("{}{} {}", text.empty() ? " (" : ", ", one.ink.name, one.dots);
+    return text.empty() ? "" : text + ")";
+}
+
 void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, const Made& made,
             const std::string& what, const std::string& note, const std::string& more) {
     const Result& result = made.result;

@@ -5,6 +5,7 @@
 #include <lacuna/lacuna.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "cli/options/given_files.h"
 #include "cli/reports/output.h"
 #include "cli/terminal/observers.h"
+#include "files/point_files.h"
 #include "pictures/importance.h"
 #include "recipes/make.h"
 
@@ -58,6 +60,10 @@ struct Made {
 // Makes the set under a progress bar. Evenness is measured if there is a report. Throws what
 // recipes::make throws.
 Made make(const CommonOptions& options, recipes::Moves moves);
+
+// How many points there are of each class or ink, for the note of sum_up(): " (trees 20, grass
+// 41)". Empty without layers.
+std::string words_of(std::span<const files::Layer> layers);
 
 // Prints a line about the set on standard error, unless --quiet is given or standard output is an
 // output. `what` is "point" or "dot"; `note` follows their number, and `more` the backend.

@@ -94,14 +94,14 @@ Targets targets_of(DomainOptions& options) {
 void read_given_files(const CommandLine& line, const DomainOptions& options, Request& request,
                       DomainFiles& files) {
     request.classes = recipes::read_classes(options.classes, read_matrix);
-    bool has_shape = line.has("domain");
+    bool has_shape = line.has("domain") || request.on_pixels;
     const auto give_shape = [&](const Domain& shape) {
         if (!has_shape) take_shape(shape, request);
         has_shape = true;
     };
-    if (request.on_pixels)
-        give_shape({.width = static_cast<double>(request.on_pixels->columns),
-                    .height = static_cast<double>(request.on_pixels->rows)});
+    const std::vector<std::string>& classes = names_of_classes(options, request);
+    refuse_class_of_file("field", options.field.path, classes, "a class has no field of its own");
+    refuse_class_of_file("keep", options.keep, classes, "its column class has each point's class");
     if (!options.field.path.empty()) {
         Request shape;
         files.field = read_field(options.field, shape);

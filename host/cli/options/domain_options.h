@@ -28,7 +28,11 @@
 namespace lacuna::cli {
 
 // The matrix of distances in a file of --between, row by row. Throws FileError.
-std::vector<double> read_matrix(const std::string& path);
+std::vector<double> read_matrix(const std::string& path, const std::vector<std::string>& names);
+
+// Throws BadRequest for NAME:FILE with the name of a class, which this option does not have.
+void refuse_class_of_file(const std::string& option, const std::string& text,
+                          const std::vector<std::string>& names, const std::string& why);
 
 // The class that NAME:FILE is for, and FILE. The class is empty for FILE, which is for all: if no
 // class has the name before the first colon.

@@ -12,6 +12,7 @@
 
 #include "cli/options/domain_options.h"
 #include "plan/checked_request.h"
+#include "plan/radius_field.h"
 #include "plan/sheets.h"
 #include "plan/sizes.h"
 #include "recipes/classes.h"
@@ -68,6 +69,25 @@ double least_radius(const Request& request, std::span<const PolygonSet> sets,
     if (allows_some(mask)) trial.mask = &mask;  // otherwise other classes decide, or nothing does
     return radius_field_scale_for_count(trial, static_cast<double>(*request.count)) /
            std::sqrt(greatest);
+}
+
+// A refusal of an edge that was not given says what it is.
+BadRequest without_edge(const BadRequest& error, const Request& request) {
+    const std::string what = std::string(error.what()).substr(error.option().size() + 1);
+    const std::size_t colon = what.find(": ");
+    return {"edge",
+            what.substr(0, colon) + (request.on_pixels
+                                         ? " (by default a sixteenth of a pixel)"
+                                         : " (by default a sixteenth of the least radius)"),
+            what.substr(colon + 2)};
+}
+
+// Refuses a radius that is too small before its sixteenth is refused as an edge.
+void check_radius_of_edge(double edge, const Request& request) {
+    if (edge >= kEdge * kSmallestRadius * request.domain.longer_side()) return;
+    check_classes(request);
+    const std::optional<double>& size = request.field != nullptr ? request.scale : request.radius;
+    if (size) check_radius_field_size(request, *size, nobody_asks);
 }
 
 // Adds the images of the rings around a torus.
@@ -156,13 +176,19 @@ void read_domain_files(const CommandLine& line, const DomainOptions& options, Re
     const std::vector<std::vector<PolygonRing>> rings = rings_of(request, files);
     const std::vector<Clearances> all = clearances_of(options, request, files);
     const auto draw = [&](const Clearances& clearances) {
-        return draw_places(sets_of(clearances, files.kinds, rings), request.domain, files.edge,
-                           request.place.memory_limit_bytes);
+        try {
+            return draw_places(sets_of(clearances, files.kinds, rings), request.domain, files.edge,
+                               request.place.memory_limit_bytes);
+        } catch (const BadRequest& error) {
+            if (options.edge || error.option() != "edge") throw;
+            throw without_edge(error, request);
+        }
     };
     const Clearances& some = *std::max_element(
         all.begin(), all.end(),
         [](const Clearances& a, const Clearances& b) { return a.size() < b.size(); });
     files.edge = edge_of(options, request, sets_of(some, files.kinds, rings), files);
+    if (!options.edge) check_radius_of_edge(files.edge, request);
     if (all.size() == 1) {
         files.mask = draw(all.front());
         request.mask = &*files.mask;

@@ -5,6 +5,8 @@
 #include <glob.h>
 #include <lacuna/errors.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -22,6 +24,28 @@ namespace {
 
 constexpr std::string_view kFrame = "{frame}";
 
+// Removes a run of digits, or else one character. Zeros that begin the run are left out.
+std::string_view take_piece(std::string_view& text) {
+    const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+    std::string_view piece = text.substr(0, std::max<std::size_t>(digits, 1));
+    text.remove_prefix(piece.size());
+    while (piece.size() > 1 && piece.front() == '0') piece.remove_prefix(1);
+    return piece;
+}
+
+// Whether a comes before b where runs of digits are numbers: 2.png before 10.png.
+bool comes_before(std::string_view a, std::string_view b) {
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    std::string_view x = a, y = b;
+    while (!x.empty() && !y.empty()) {
+        const std::string_view of_x = take_piece(x), of_y = take_piece(y);
+        if (is_digit(of_x[0]) && is_digit(of_y[0]) && of_x.size() != of_y.size())
+            return of_x.size() < of_y.size();
+        if (of_x != of_y) return of_x < of_y;
+    }
+    return x.empty() == y.empty() ? a < b : x.empty();
+}
+
 std::vector<std::string> files_like(const std::string& pattern) {
     glob_t found{};
     const std::unique_ptr<glob_t, decltype(&::globfree)> owner(&found, ::globfree);
@@ -30,7 +54,9 @@ std::vector<std::string> files_like(const std::string& pattern) {
         throw BadRequest("frames", shown(pattern),
                          "must match pictures, as in 'in/*.png': no file is called like that");
     if (failure != 0) throw files::FileError(pattern + ": the folder cannot be read");
-    return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
+    std::vector<std::string> files(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+    std::sort(files.begin(), files.end(), comes_before);
+    return files;
 }
 
 void check_files(const std::vector<Frame>& frames) {

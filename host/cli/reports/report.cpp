@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string>
 
+#include "cli/options/domain_options.h"
 #include "files/point_files.h"
 #include "recipes/describe.h"
 
@@ -82,8 +83,10 @@ std::string report_of(const Request& request, const Made& made, const Json& more
     Json report{{"program", "lacuna"},
                 {"version", LACUNA_VERSION},
                 {"request", json_of(request, result)},
-                {"count", result.points.size()},
-                {"radius", result.radius}};
+                {"count", result.points.size()}};
+    for (const files::Layer& one : layers_of(request.classes, result))
+        report["classes"].push_back({{"name", one.ink.name}, {"count", one.dots}});
+    report["radius"] = result.radius;
     if (result.scale > 0) report["scale"] = result.scale;
     report.update(
         {{"maximal", result.maximal}, {"rounds", result.rounds}, {"draws", result.draws}});

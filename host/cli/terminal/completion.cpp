@@ -113,12 +113,14 @@ std::string nearest_text(const std::string& word, const std::vector<std::string>
     const auto nearest = std::min_element(known.begin(), known.end(), nearer);
     if (nearest != known.end() && distance(stem, *nearest) <= most)
         return ", did you mean " + *nearest + "?";
-    // The beginning of a longer option, such as --dot of --dot-size.
-    constexpr std::size_t kShortestBeginning = 5;
-    const auto longer = std::find_if(known.begin(), known.end(), [&](const std::string& name) {
-        return stem.size() >= kShortestBeginning && name.starts_with(stem);
-    });
-    return longer == known.end() ? "" : ", did you mean " + *longer + "?";
+    // Options of which a word begins like this, such as --paper and --time.
+    constexpr std::size_t kShortestBeginning = 5, kMostNames = 4;
+    if (stem.size() < kShortestBeginning || !stem.starts_with("--")) return "";
+    std::vector<std::string_view> longer;
+    for (const std::string& name : known)
+        if (name.find(stem.substr(1)) != std::string::npos) longer.push_back(name);
+    if (longer.empty() || longer.size() > kMostNames) return "";
+    return ", did you mean " + recipes::listed(longer) + "?";
 }
 
 }  // namespace lacuna::cli

@@ -22,7 +22,8 @@ std::vector<std::string> names_of_options(const CLI::App& command);
 std::string words_at(const CLI::App& app, std::span<const std::string> typed);
 
 // ", did you mean WORD?" with the word of `known` that has the least edit distance from `word`.
-// Empty if the distance is more than two letters or a third of the word.
+// If the distance is more than two letters or a third of the word, with the options that have a
+// word which begins like it, as --paper-size has for --paper. Empty if there are none.
 std::string nearest_text(const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace lacuna::cli

@@ -24,10 +24,9 @@ bool is_set(const char* variable) {
     return value != nullptr && *value != '\0';
 }
 
-bool is_capable_terminal() {
-    const char* terminal = std::getenv("TERM");
-    return isatty(STDERR_FILENO) == 1 && terminal != nullptr &&
-           std::string_view(terminal) != "dumb";
+// Whether escape sequences may be written, as the variable TERM says.
+bool has_escapes() {
+    return is_set("TERM") && std::string_view(std::getenv("TERM")) != "dumb";
 }
 
 std::size_t terminal_columns() {
@@ -90,11 +89,13 @@ std::string progress_line(double done, const std::string& words, std::size_t col
 }
 
 ProgressBar::ProgressBar(bool quiet, bool is_asked_for)
-    : visible_(!quiet && (is_asked_for || is_capable_terminal())), colour_(!is_set("NO_COLOR")) {}
+    : has_escapes_(has_escapes()),
+      visible_(!quiet && (is_asked_for || (isatty(STDERR_FILENO) == 1 && has_escapes_))),
+      colour_(has_escapes_ && !is_set("NO_COLOR")) {}
 
 ProgressBar::~ProgressBar() {
     if (!drawn_) return;
-    print(std::string(kClearLine));
+    print(clearing());
     Interruption::clears_line(false);
 }
 
@@ -130,8 +131,13 @@ void ProgressBar::note(const std::string& what) {
 
 void ProgressBar::draw(const std::string& line) {
     drawn_ = true;
-    Interruption::clears_line(true);
-    print(std::string(kClearLine) + line);
+    Interruption::clears_line(has_escapes_);
+    print(clearing() + line);
+}
+
+std::string ProgressBar::clearing() const {
+    if (has_escapes_) return std::string(kClearLine);
+    return "\r" + std::string(line_columns(), ' ') + "\r";
 }
 
 }  // namespace lacuna::cli

@@ -15,8 +15,9 @@ std::string progress_line(const Progress& progress, double seconds, std::size_t 
 // The same for other work; `share` is the fraction done, 0 to 1. `words` are put beside the bar.
 std::string progress_line(double share, const std::string& words, std::size_t columns, bool colour);
 
-// Shows nothing if `quiet`, or if standard error is no terminal, unless `is_asked_for`. Clears its
-// line when destroyed, so that errors and results start on an empty line.
+// Shows nothing if `quiet`, or if standard error is no terminal or a dumb one, unless
+// `is_asked_for`; then a dumb one gets no escape sequences. Clears its line when destroyed, so that
+// errors and results start on an empty line.
 class ProgressBar : public Observer {
 public:
     explicit ProgressBar(bool quiet, bool is_asked_for = false);
@@ -39,7 +40,9 @@ private:
     // Whether it is time to draw again; if so, notes the time.
     bool is_due();
     void draw(const std::string& line);
+    std::string clearing() const;  // what clears the line
 
+    bool has_escapes_;
     bool visible_;
     bool colour_;
     bool drawn_ = false;

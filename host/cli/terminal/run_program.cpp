@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -99,11 +100,15 @@ std::string explain_extra(const CLI::App& app, const std::string& extra, const C
             meant = option_that_explains(*command, word);
         return fmt::format("{}: no such option, and {}{}", shown(extra), arguments, meant);
     }
-    // Typical mistakes are `stipple photo.jpg dots.svg` and `sample help`.
+    // Typical mistakes are `stipple photo.jpg dots.svg`, `stipple *.png` and `sample help`. A file
+    // that exists must not be written over because of a message.
     std::string meant;
-    if (command->get_option_no_throw("--output") != nullptr &&
+    const bool exists = std::filesystem::exists(extra);
+    if (!exists && command->get_option_no_throw("--output") != nullptr &&
         files::find_format_of(extra) != nullptr)
         meant = ", did you mean -o " + shown(extra) + "?";
+    if (exists && command->get_name() == "stipple")
+        meant = ": one picture is stippled, or several with --frames 'PATTERN', in quotes";
     if (std::find(options.begin(), options.end(), "--" + extra) != options.end())
         meant = ", did you mean --" + extra + "?";
     return fmt::format("{}: {}{}", shown(extra), arguments, meant);
@@ -141,6 +146,15 @@ int finish(const Program& program, const CLI::App& app, const CLI::ParseError& e
     return program.fail(kExitBadUsage, fmt::format("{}; see {} --help", message, name));
 }
 
+// The words of the command line. -o=FILE becomes -oFILE: CLI11 would take the equals sign for the
+// first character of the value.
+std::vector<std::string> words_of(std::span<char*> arguments) {
+    std::vector<std::string> words(arguments.begin(), arguments.end());
+    for (std::string& word : std::span(words.begin(), std::find(words.begin(), words.end(), "--")))
+        if (word.size() > 3 && word[0] == '-' && word[1] != '-' && word[2] == '=') word.erase(2, 1);
+    return words;
+}
+
 int parse_and_run(const Program& program, int argc, char** argv) {
     CLI::App app(program.description());
     try {
@@ -150,12 +164,12 @@ int parse_and_run(const Program& program, int argc, char** argv) {
         app.require_subcommand(1);
         program.add_commands(app);
         add_help_and_version(app, program);
-        const std::vector<std::string> words(argv + 1, argv + argc);
+        const std::vector<std::string> words = words_of({argv + 1, argv + argc});
         if (!words.empty() && words.front() == "__words") {  // for the completions of shells
             program.say(words_at(app, std::span(words).subspan(1)));
             return 0;
         }
-        app.parse(argc, argv);
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
         return 0;
     } catch (const CLI::ParseError& error) {
         return finish(program, app, error);
