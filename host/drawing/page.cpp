@@ -106,6 +106,25 @@ files::Dots dots_of(const files::PointSet& set, const Style& style) {
     return dots;
 }
 
+void for_each_layer(const files::PointSet& set, const Style& style, const DrawLayer& draw) {
+    if (set.layers.empty()) return draw(std::size_t{0}, set, style);
+    const std::vector<std::uint8_t> layers = files::layers_of_points(set);
+    for (std::size_t k = 0; k < set.layers.size(); ++k) {
+        std::vector<Point> points;
+        std::vector<double> diameters;
+        for (std::size_t i = 0; i < layers.size(); ++i) {
+            if (layers[i] != k) continue;
+            points.push_back(set.points[i]);
+            if (!style.diameters.empty()) diameters.push_back(style.diameters[i]);
+        }
+        files::PointSet part = set;
+        part.points = points;
+        Style its_style = style;
+        its_style.diameters = diameters;
+        draw(k, part, its_style);
+    }
+}
+
 double dot_diameter(const files::PointSet& set) {
     if (set.radius > 0) return set.radius / 3 * 2;
     // The radius is unknown: dots get the size that they have in a maximal set with as many points.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -110,25 +111,8 @@ void for_each_pen_stroke(const files::PointSet& set, const Page& page, const Dra
 
 // Calls `draw(layer, dots, style)` for each layer: its index, its dots as a set of their own, and
 // the style with their diameters. A set without layers is drawn as one, with index 0.
-template <class Draw>
-void for_each_layer(const files::PointSet& set, const Style& style, const Draw& draw) {
-    if (set.layers.empty()) return draw(std::size_t{0}, set, style);
-    const std::vector<std::uint8_t> layers = files::layers_of_points(set);
-    for (std::size_t k = 0; k < set.layers.size(); ++k) {
-        std::vector<Point> points;
-        std::vector<double> diameters;
-        for (std::size_t i = 0; i < layers.size(); ++i) {
-            if (layers[i] != k) continue;
-            points.push_back(set.points[i]);
-            if (!style.diameters.empty()) diameters.push_back(style.diameters[i]);
-        }
-        files::PointSet part = set;
-        part.points = points;
-        Style its_style = style;
-        its_style.diameters = diameters;
-        draw(k, part, its_style);
-    }
-}
+using DrawLayer = std::function<void(std::size_t, const files::PointSet&, const Style&)>;
+void for_each_layer(const files::PointSet& set, const Style& style, const DrawLayer& draw);
 
 // The width of a layer's line on the page.
 inline double line_width_of(const files::PointSet& set, std::size_t layer, const Style& style,

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <deque>
 #include <utility>
 
 #include "drawing/pen/greedy_path.h"
@@ -73,15 +72,19 @@ std::vector<Item> picked(std::span<const Item> items, std::span<const std::uint3
 std::vector<std::uint32_t> improved(Tour tour, std::size_t spots,
                                     const std::function<bool()>& may_go_on) {
     constexpr std::int64_t kLong = 10;  // times the mean
-    const std::vector<std::uint32_t> path = tour.path();
-    std::deque<std::uint32_t> waiting(path.begin(), path.end());
+    std::vector<std::uint32_t> waiting = tour.path();
     std::vector<bool> waits(spots, true);
     std::vector<std::uint32_t> touched;
     std::size_t done = 0;
-    const auto note_changes_by = [&](const auto& moves) {
+    const auto work_on = [&](std::uint32_t spot, bool improves, std::int64_t usual) {
         if (done++ % kBetweenAsking == 0 && !may_go_on()) throw Cancelled();
         touched.clear();
-        moves();
+        if (improves) {
+            waits[spot] = false;
+            tour.improve(spot, touched);
+        } else {
+            tour.uncross(spot, usual, touched);
+        }
         for (const std::uint32_t other : touched) {
             if (other == spots || waits[other]) continue;
             waits[other] = true;
@@ -89,15 +92,10 @@ std::vector<std::uint32_t> improved(Tour tour, std::size_t spots,
         }
     };
     while (!waiting.empty()) {
-        while (!waiting.empty()) {
-            const std::uint32_t spot = waiting.front();
-            waiting.pop_front();
-            waits[spot] = false;
-            note_changes_by([&] { tour.improve(spot, touched); });
-        }
+        while (!waiting.empty())
+            for (const std::uint32_t spot : std::exchange(waiting, {})) work_on(spot, true, 0);
         const std::int64_t usual = kLong * tour.length() / static_cast<std::int64_t>(spots);
-        for (std::uint32_t spot = 0; spot < spots; ++spot)
-            note_changes_by([&] { tour.uncross(spot, usual, touched); });
+        for (std::uint32_t spot = 0; spot < spots; ++spot) work_on(spot, false, usual);
     }
     return tour.path();
 }

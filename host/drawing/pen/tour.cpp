@@ -206,9 +206,10 @@ std::int64_t Tour::length() const {
 }
 
 std::vector<std::uint32_t> Tour::path() const {
-    std::vector<std::uint32_t> path(order_);
-    std::rotate(path.begin(), path.begin() + place_[home()], path.end());
-    path.erase(path.begin());
+    std::vector<std::uint32_t> path;
+    path.reserve(spots_.size());
+    for (std::uint32_t stop = next(home(), true); stop != home(); stop = next(stop, true))
+        path.push_back(stop);
     return path;
 }
 
