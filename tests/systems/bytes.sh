@@ -1,44 +1,61 @@
 #!/usr/bin/env bash
-# bytes.sh PROGRAM BACKEND...: makes 17 sets with each backend, and prints SHA-256 and request
-# for each. Two systems that keep Lacuna's promise print the same lines.
+# bytes.sh PROGRAM BACKEND...: makes the sets of tests/pinned.txt with each backend, and fails if the
+# bytes of one have another hash than its row.
+# bytes.sh --write PROGRAM: writes the hashes of all rows anew, as the backend cpu makes them.
 set -euo pipefail
-program=$1
-shift
+cd "$(dirname "$0")/../.."
+table=tests/pinned.txt
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 export POCL_CACHE_DIR=$scratch/pocl
 mkdir -p "$POCL_CACHE_DIR"
-examples=$(cd "$(dirname "$0")/../.." && pwd)/examples
-picture=$examples/raccoon.png
-printf '0.1 0.1\n0.9 0.2\n0.4 0.95\n' >"$scratch/triangle.txt"
 
-requests=(
-    "sample --radius 0.01 --torus"
-    "sample --radius 0.002 --seed 7"
-    "sample --count 5000 --domain 3x1"
-    "sample --radius 0.02 --mode lines --torus"
-    "sample --radius 0.02 --mode lines --snap --seed 3"
-    "sample --radius 0.05 --mode lines --uniform-x"
-    "sample --field $picture --count 3000"
-    "sample --field $picture --scale 0.02 --torus"
-    "sample --radius 0.01 --inside $scratch/triangle.txt --border 0.01"
-    "sample --on-pixels 90x60 --count 1500 --field $picture"
-    "sample --stretch 0.04:0.01@30 --torus --seed 5"
-    "stipple $picture --count 4000 --relax 0"
-    "stipple $picture --count 4000 --relax 0 --metric max --seed 2"
-    "stipple $picture --count 2000 --relax 5"
-    "stipple $picture --count 2000 --mode exact --relax 3 --seed 4"
-    "stipple $picture --count 1000 --along 4"
-    "stipple $examples/hopper.jpg --inks cmyk --count 2000 --relax 4"
-)
-for backend in "$@"; do
-    for request in "${requests[@]}"; do
-        where="--backend $backend"
-        [[ $request == *--on-pixels* ]] && where=  # the host alone places these samples
-        # shellcheck disable=SC2086
-        "$program" $request $where --quiet -o "$scratch/set.npy"
-        shown=${request//"$examples/"/}
-        shown=${shown//"$scratch/"/}
-        echo "$(sha256sum <"$scratch/set.npy" | cut -d ' ' -f 1) $shown --backend $backend"
+# hash_of REQUEST...: the SHA-256 of the files that the program writes.
+hash_of() {
+    local output=set.npy
+    [[ " $* " != *" --seeds "* ]] || output='{seed}.npy'
+    [[ " $* " != *" mask "*" --frames "* ]] || output='{frame}.npy'
+    rm -f "$scratch"/*.npy
+    "$program" "$@" --quiet -o "$scratch/$output" || return
+    cat "$scratch"/*.npy | sha256sum | cut -d ' ' -f 1
+}
+
+writes=
+if [[ ${1-} == --write ]]; then
+    writes=1
+    shift
+fi
+(($#)) || {
+    echo "bytes: usage: bytes.sh PROGRAM BACKEND..., or bytes.sh --write PROGRAM" >&2
+    exit 2
+}
+program=$(realpath "$1")
+backends=("${@:2}")
+((${#backends[@]})) || backends=(cpu)
+
+sets=0 others=0
+while read -r pinned doors request; do
+    if [[ -z $pinned || $pinned == \#* ]]; then
+        echo "$pinned${doors:+ $doors}${request:+ $request}" >>"$scratch/table"
+        continue
+    fi
+    for backend in "${backends[@]}"; do
+        where=(--backend "$backend")
+        [[ $doors == *b* ]] || where=()
+        # shellcheck disable=SC2086  # the words of the request
+        hash=$(hash_of $request "${where[@]}") || hash=none
+        sets=$((sets + 1))
+        if [[ $hash == "$pinned" ]]; then continue; fi
+        others=$((others + 1))
+        [[ -n $writes ]] || echo "bytes: $request ${where[*]}: has the hash $hash instead of $pinned" >&2
     done
-done
+    echo "$hash $doors $request" >>"$scratch/table"
+done <$table
+if [[ -n $writes ]]; then
+    ! grep -q ^none "$scratch/table" || { grep ^none "$scratch/table" >&2; exit 1; }
+    cp "$scratch/table" $table
+    echo "bytes: $others of $sets hashes are new"
+    exit 0
+fi
+echo "bytes: $((sets - others)) of $sets sets have the pinned bytes"
+((others == 0))

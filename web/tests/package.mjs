@@ -1,8 +1,10 @@
-// Compares the npm package with the command: node web/tests/package.mjs PACKAGE_FOLDER PROGRAM
+// Compares the npm package with the command and with tests/pinned.txt:
+// node web/tests/package.mjs PACKAGE_FOLDER PROGRAM
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { createRequire } from "node:module";
+import { createHash } from "node:crypto";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import path from "node:path";
 
@@ -23,7 +25,40 @@ function written(words, count) {
     return new Float64Array(bytes.buffer.slice(bytes.byteOffset + header, bytes.byteOffset + bytes.length));
 }
 
+// The options of a request's words: --lines-per-radius 3 is linesPerRadius: "3".
+function optionsOf(words) {
+    const options = {};
+    for (let i = 0; i < words.length; ++i) {
+        const name = words[i].slice(2).replace(/-(.)/g, (_, letter) => letter.toUpperCase());
+        options[name] = i + 1 === words.length || words[i + 1].startsWith("--") ? true : words[++i];
+    }
+    return options;
+}
+
+// The .npy of N points, as the command writes it.
+function npyOf(points) {
+    const shape = `{'descr': '<f8', 'fortran_order': False, 'shape': (${points.length / 2}, 2), }`;
+    const text = shape.padEnd(Math.ceil((shape.length + 11) / 64) * 64 - 11) + "\n";
+    const start = Buffer.from("\x93NUMPY\x01\x00\x00\x00" + text, "latin1");
+    start.writeUInt16LE(text.length, 8);
+    return Buffer.concat([start, Buffer.from(points.buffer, points.byteOffset, points.byteLength)]);
+}
+
+function checkPinned() {
+    const table = new URL("../../tests/pinned.txt", import.meta.url);
+    const rows = readFileSync(table, "utf8").split("\n").map((row) => row.split(" "));
+    const own = rows.filter(([, doors]) => /^b?p?n$/.test(doors ?? ""));
+    assert.ok(own.length > 10);
+    for (const [hash, , command, ...words] of own) {
+        assert.equal(command, "sample");
+        const made = createHash("sha256").update(npyOf(sample(optionsOf(words)).points)).digest("hex");
+        assert.equal(made, hash, words.join(" "));
+    }
+    return own.length;
+}
+
 try {
+    const pinned = checkPinned();
     const made = sample({ radius: 0.02, torus: true, seed: 1n, relax: undefined, snap: false });
     const count = made.points.length / 2;
     assert.ok(count > 1500 && made.width === 1 && made.height === 1 && made.radius === 0.02);
@@ -98,7 +133,7 @@ try {
             });
         assert.deepEqual(keysOf(name).sort(), accepted.sort());
     }
-    console.log(`web: the npm package makes ${count} points and 500 dots with the command's bytes`);
+    console.log(`web: the npm package makes ${count} points, 500 dots and ${pinned} pinned sets with the command's bytes`);
 } finally {
     rmSync(scratch, { recursive: true });
 }
