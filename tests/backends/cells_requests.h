@@ -116,6 +116,24 @@ inline std::vector<CellsRequest> cells_requests() {
     return requests;
 }
 
+// Dark and light halves side by side, from the bottom to the top, in rounds in which most draws
+// conflict with others.
+inline std::vector<CellsRequest> crowded_cells_requests() {
+    std::vector<CellsRequest> requests;
+    for (const Metric metric : {Metric::min, Metric::mean, Metric::max})
+        for (const double importance : {1e-2, 1e-4, 1e-8})
+            for (const Boundary boundary : {Boundary::box, Boundary::torus})
+                for (const std::uint64_t round_size : {0U, 20'000U}) {
+                    requests.push_back(cells_request(
+                        "halves",
+                        made_field(2, 8,
+                                   [&](double x, double) { return x < 0.5 ? 1 : importance; }),
+                        2'000, 4, metric, boundary, 1, 4));
+                    requests.back().request.paper2011.round_size = round_size;
+                }
+    return requests;
+}
+
 // Tens of thousands of samples; radii differ by up to a factor of 7.
 inline CellsRequest large_cells_request() {
     return cells_request(

@@ -80,10 +80,9 @@ void expect_equal_on(const std::string& group, const std::vector<Made>& requests
     }
 }
 
-void expect_equal_on_every_kind_of_request(Mode mode, const std::string& backend) {
-    const std::vector<Request> requests = tests::equality_requests(mode);
-    for (std::size_t i = 0; i < requests.size(); ++i)
-        expect_equal(mode == Mode::lines ? "lines" : "exact", i, requests[i], backend);
+void expect_equal_on(const std::string& group, const std::vector<Request>& requests,
+                     const std::string& backend) {
+    for (std::size_t i = 0; i < requests.size(); ++i) expect_equal(group, i, requests[i], backend);
 }
 
 TEST_P(Equality, OnEveryKindOfRequestInCells) {
@@ -111,11 +110,31 @@ TEST_P(Equality, OnEveryKindOfRequestWithEllipses) {
 }
 
 TEST_P(Equality, OnEveryKindOfRequestInLines) {
-    expect_equal_on_every_kind_of_request(Mode::lines, GetParam());
+    expect_equal_on("lines", tests::equality_requests(Mode::lines), GetParam());
 }
 
 TEST_P(Equality, OnEveryKindOfRequestInExact) {
-    expect_equal_on_every_kind_of_request(Mode::exact, GetParam());
+    expect_equal_on("exact", tests::equality_requests(Mode::exact), GetParam());
+}
+
+TEST_P(Equality, OnEveryKindOfRequestInCrowdedRounds) {
+    expect_equal_on("crowds", tests::crowded_requests(), GetParam());
+    expect_equal_on("crowds in cells", tests::crowded_cells_requests(), GetParam());
+}
+
+// A million draws of one radius: comparing all pairs would take longer than a test may.
+TEST_P(Equality, OfARoundOfAMillionDrawsEnds) {
+    for (const Mode mode : {Mode::exact, Mode::lines}) {
+        Request request;
+        request.mode = mode;
+        request.radius = 0.5;
+        request.paper2011.round_size = 1'000'000;
+        request.place.backend = GetParam();
+        const Result result = sample(request);
+        EXPECT_TRUE(result.maximal);
+        EXPECT_GE(result.points.size(), 2u);
+        EXPECT_LE(result.points.size(), 7u);
+    }
 }
 
 // Returns the count.

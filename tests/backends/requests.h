@@ -5,6 +5,8 @@
 #include <lacuna/lacuna.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -55,6 +57,29 @@ inline std::vector<Request> special_requests(Mode mode) {
         request(1e12, 2e12, 1e11, 5, Boundary::box),
         request(1, 1, 0.004, 8, Boundary::torus),  // rounds large enough for several threads
     };
+}
+
+// Rounds with more draws than samples fit: most draws conflict with others of their round.
+inline std::vector<Request> crowded_requests() {
+    std::vector<Request> requests;
+    const auto add = [&](Mode mode, double width, double radius, std::uint64_t round_size,
+                         Boundary boundary, std::optional<std::uint32_t> m = {}) {
+        Request& request = requests.emplace_back();
+        request.mode = mode;
+        request.domain = {width, 1, boundary};
+        request.radius = radius;
+        request.paper2011.round_size = round_size;
+        request.paper2011.lines_per_radius = m;
+        request.seed = round_size;
+    };
+    for (const Mode mode : {Mode::exact, Mode::lines})
+        for (const Boundary boundary : {Boundary::box, Boundary::torus})
+            for (const double radius : {0.5, 0.12, 0.03}) add(mode, 1, radius, 20'000, boundary);
+    for (const std::uint32_t m : {1u, 40u}) {
+        add(Mode::exact, 1, 0.2, 5'000, Boundary::torus, m);
+        add(Mode::lines, 30, 0.2, 5'000, Boundary::torus, m);
+    }
+    return requests;
 }
 
 inline std::vector<Request> equality_requests(Mode mode) {

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "cells/check.h"
 #include "fields.h"
+#include "judge/cells.h"
 #include "plan/make_plan.h"
 #include "plan/sizes.h"
 
@@ -61,9 +61,7 @@ TEST(CellsCounts, AreMetExactlyOnEveryField) {
                 request.scale = result.scale;
                 request.count.reset();
                 request.paper2011.lines_per_radius = 10;
-                const tests::CellsCheck check(request, result.points);
-                EXPECT_TRUE(check.is_on_the_lattice());
-                EXPECT_TRUE(check.keeps_its_distances(tests::By::grid));
+                EXPECT_EQ(judge::CellsJudge(request, result.points).fault(), "");
             }
         }
     }
@@ -97,18 +95,6 @@ TEST(CellsCounts, AreMetWhereOneSampleMayCoverAll) {
         request.metric = Metric::max;
         EXPECT_EQ(sample(request).points.size(), count);
     }
-}
-
-TEST(CellsCounts, ALimitStopsThemEarlier) {
-    const Field field = tests::ramp_field(32, 24);
-    Request request = count_request(field, 1000);
-    const std::vector<Point> all = sample(request).points;
-    request.limit = 300;
-    const std::vector<Point> some = sample(request).points;
-    ASSERT_EQ(some.size(), 300u);
-    EXPECT_TRUE(std::equal(some.begin(), some.end(), all.begin()));
-    request.limit = 5000;
-    EXPECT_EQ(sample(request).points, all);
 }
 
 // The fraction of the count that a maximal set at that scale holds.

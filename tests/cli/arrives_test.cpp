@@ -4,6 +4,8 @@
 #include <lacuna/domains.h>
 #include <lacuna/stipple.h>
 
+#include <cstdint>
+#include <deque>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "cli/expectations.h"
 #include "cli/pictures.h"
 #include "files/read_points.h"
+#include "files/read_sets.h"
 #include "program.h"
 
 namespace arrives_test {
@@ -34,58 +37,158 @@ std::string gradient(const Folder& folder) {
     return grey_picture(folder, 24, 16, pixels);
 }
 
-TEST(OptionsOfSample, ThatNamePicturesAndPointsArriveInTheRequest) {
-    const Folder folder;
-    const std::string mask = grey_picture(folder, 2, 1, bytes({0, 255}));
-    const std::string keep = folder.path("keep.csv");
-    write_file(keep, "x,y\n0.75,0.30000000000000004\n");
-    const Mask allowed{2, 1, {0, 1}};
-    const std::vector<Point> kept{{0.75, 0.30000000000000004}};
-    EXPECT_EQ(points_by(folder, {"sample"},
-                        {"--mask", mask, "--border", "0.02", "--keep", keep, "--radius", "0.05"}),
-              sample({.domain = {.height = 0.5},
-                      .radius = 0.05,
-                      .mask = &allowed,
-                      .border = 0.02,
-                      .keep = kept})
-                  .points);
+// Options of sample, and the request that they must become.
+struct Arrival {
+    Words words;
+    Request request;
+};
+
+// Whatever requests refer to, beside files of the same content.
+class OptionsOfSample : public testing::Test {
+protected:
+    std::string file(const char* name, const std::string& content) const {
+        write_file(folder_.path(name), content);
+        return folder_.path(name);
+    }
+    std::string square(const char* name, const std::string& low, const std::string& high) const {
+        return file(name, low + " " + low + "\n" + high + " " + low + "\n" + high + " " + high +
+                              "\n" + low + " " + high + "\n");
+    }
+    static std::vector<PolygonRing> ring(double from, double to) {
+        return {{{from, from}, {to, from}, {to, to}, {from, to}}};
+    }
+    // A mask that is drawn from polygons, on the unit square and at an edge of 0.003.
+    const Mask* drawn(const std::vector<PolygonSet>& sets) {
+        return &masks_.emplace_back(draw_places(sets, {1, 1}, 0.003));
+    }
+    void expect_arrivals(const std::vector<Arrival>& arrivals) const {
+        for (const Arrival& one : arrivals) {
+            SCOPED_TRACE(testing::PrintToString(one.words));
+            const std::string made = folder_.path("made.json");
+            expect_success(joined(joined({"sample"}, one.words), {"--quiet", "-o", made}));
+            const files::SetsOfFile got = files::read_sets(made);
+            const Result expected = sample(one.request);
+            EXPECT_EQ(got.sets.front(), expected.points);
+            EXPECT_EQ(got.classes.of_point, expected.classes);
+        }
+    }
+
+    const Folder folder_;
+    std::deque<Mask> masks_;
+};
+
+TEST_F(OptionsOfSample, ThatNamePicturesAndPointsArriveInTheRequest) {
+    const std::string mask = grey_picture(folder_, 2, 1, bytes({0, 255}));
+    const std::string keep = file("keep.csv", "x,y\n0.75,0.30000000000000004\n");
+    const std::string west = file("west.csv", "x,y\n0.98,0.3\n0.5,0.5\n0.97,0.6\n");
     const Folder other;
     const std::string picture = gradient(other);
+    const Mask allowed{2, 1, {0, 1}};
+    const std::vector<Point> kept{{0.75, 0.30000000000000004}},
+        beside{{.98, .3}, {.5, .5}, {.97, .6}};
     const Field field = importance_of(read_picture(picture), {.invert = true, .gamma = 1.7});
-    Request request{
+    Request of_field{
         .domain = {.height = 2.0 / 3, .boundary = Boundary::torus}, .count = 300, .seed = 5};
-    request.field = &field;
-    EXPECT_EQ(points_by(folder, {"sample"},
-                        {"--field", picture, "--count", "300", "--invert", "--gamma", "1.7",
-                         "--torus", "--seed", "5"}),
-              sample(request).points);
+    of_field.field = &field;
+    expect_arrivals({{{"--mask", mask, "--border", "0.02", "--keep", keep, "--radius", "0.05"},
+                      {.domain = {.height = 0.5},
+                       .radius = 0.05,
+                       .mask = &allowed,
+                       .border = 0.02,
+                       .keep = kept}},
+                     {{"--field", picture, "--count", "300", "--invert", "--gamma", "1.7",
+                       "--torus", "--seed", "5"},
+                      of_field},
+                     {{"--keep", west, "--domain", "1,0+1x1", "--radius", "0.04"},
+                      {.domain = {.x0 = 1}, .radius = 0.04, .keep = beside}}});
 }
 
-TEST(OptionsOfSample, ThatNamePlacesArriveInTheRequest) {
-    const Folder folder;
-    const auto square = [&](const char* name, const std::string& low, const std::string& high) {
-        write_file(folder.path(name), low + " " + low + "\n" + high + " " + low + "\n" + high +
-                                          " " + high + "\n" + low + " " + high + "\n");
-        return folder.path(name);
-    };
+TEST_F(OptionsOfSample, ThatNamePlacesArriveInTheRequest) {
     const std::string low = square("low.txt", "0", "0.6"), high = square("high.txt", "0.4", "1"),
+                      pond = square("pond.txt", "0.3", "0.45"),
+                      rocks = file("rocks.csv", "radius,x,y\n0.1,0.7,0.7\n"),
+                      road = file("road.txt", "0.1 0.5\n0.9 0.6\n"),
+                      edge = file("edge.csv", "x,y\n0.01,0.5\n");
+    const auto in_low = ring(0, 0.6), in_high = ring(0.4, 1), in_pond = ring(0.3, 0.45);
+    const std::vector<PolygonRing> rock{{{0.7, 0.7}}}, line{{{0.1, 0.5}, {0.9, 0.6}}},
+        around{{{0.01, 0.5}}, {{1.01, 0.5}}};
+    const Mask* const border = drawn({{.rings = in_low, .distance = 0.01},
+                                      {.rings = in_high, .distance = 0.01},
+                                      {.rings = in_pond, .forbidden = true, .distance = 0.01},
+                                      {.rings = rock, .forbidden = true, .distance = 0.1}});
+    const Mask* const near = drawn({{.rings = line, .distance = 0.2, .near = true},
+                                    {.rings = rock, .distance = 0.1, .near = true},
+                                    {.rings = line, .forbidden = true, .distance = 0.05}});
+    const Mask* const torus = drawn({{.rings = around, .forbidden = true, .distance = 0.2}});
+    const Words common{"--edge", "0.003", "--domain", "1x1", "--radius", "0.03"};
+    expect_arrivals(
+        {{joined(common, {"--inside", low, "--inside", high, "--outside", pond, "--avoid", rocks,
+                          "--border", "0.01"}),
+          {.radius = 0.03, .mask = border, .border = 0.01}},
+         {joined(common, {"--near", road + ":0.2", "--near", rocks, "--avoid", road + ":0.05"}),
+          {.radius = 0.03, .mask = near}},
+         {joined(common, {"--avoid", edge + ":0.2", "--torus"}),
+          {.domain = {.boundary = Boundary::torus}, .radius = 0.03, .mask = torus}}});
+}
+
+TEST_F(OptionsOfSample, ThatNameClassesArriveInTheRequest) {
+    const std::string left = file("left.pgm", std::string("P5 2 1 255\n") + bytes({255, 0})),
+                      top = file("top.pgm", std::string("P5 1 2 255\n") + bytes({255, 0})),
+                      matrix = file("m.csv", "# a, b\n0.05, 0.08\n0.08, 0.02\n"),
+                      same = file("m.json", "[[0.05, 0.08], [0.08, 0.02]]"),
+                      keep = file("keep.csv", "x,y,class\n0.25,0.5,b\n0.75,0.5,a\n"),
+                      low = square("low.txt", "0", "0.6"), high = square("high.txt", "0.4", "1"),
                       pond = square("pond.txt", "0.3", "0.45");
-    write_file(folder.path("rocks.csv"), "radius,x,y\n0.1,0.7,0.7\n");
-    const auto ring = [](double from, double to) {
-        return std::vector<PolygonRing>{{{from, from}, {to, from}, {to, to}, {from, to}}};
+    const auto in_low = ring(0, 0.6), in_high = ring(0.4, 1), in_pond = ring(0.3, 0.45);
+    const Mask left_half{2, 1, {1, 0}}, top_half{1, 2, {1, 0}};
+    const std::vector<Point> kept{{0.25, 0.5}, {0.75, 0.5}};
+    const std::vector<std::uint8_t> kinds{1, 0};
+    const Classes two{.names = {"a", "b"}, .distances = distances_by_sum(std::vector{0.05, 0.02})};
+    const auto with = [&](const auto& change) {
+        Request request{.classes = two};
+        change(request);
+        return request;
     };
-    const std::vector<std::vector<PolygonRing>> rings{
-        ring(0, 0.6), ring(0.4, 1), ring(0.3, 0.45), {{{0.7, 0.7}}}};
-    const std::vector<PolygonSet> sets{{.rings = rings[0], .distance = 0.01},
-                                       {.rings = rings[1], .distance = 0.01},
-                                       {.rings = rings[2], .forbidden = true, .distance = 0.01},
-                                       {.rings = rings[3], .forbidden = true, .distance = 0.1}};
-    const Mask mask = draw_places(sets, {1, 1}, 0.003);
-    EXPECT_EQ(points_by(folder, {"sample"},
-                        {"--inside", low, "--inside", high, "--outside", pond, "--avoid",
-                         folder.path("rocks.csv"), "--border", "0.01", "--edge", "0.003",
-                         "--radius", "0.03"}),
-              sample({.radius = 0.03, .mask = &mask, .border = 0.01}).points);
+    const Words common{"--class", "a:0.05", "--class", "b:0.02", "--domain", "1x1"};
+    const auto of_matrix = with([](Request& r) {
+        r.classes.distances = {0.05, 0.08, 0.08, 0.02};
+        r.classes.weights = {1, 3};
+    });
+    const auto each = [&](double a, double b) {
+        return std::vector<const Mask*>{
+            drawn({{.rings = in_low, .distance = a},
+                   {.rings = in_pond, .forbidden = true, .distance = a}}),
+            drawn({{.rings = in_high, .distance = b}})};
+    };
+    const Words of_each{"--inside",  low,         "--inside", "b:" + high,
+                        "--outside", "a:" + pond, "--edge",   "0.003"};
+    expect_arrivals(
+        {{joined(common, {"--mask", "a:" + left, "--mask", top}), with([&](Request& r) {
+              r.mask = &top_half;
+              r.classes.masks = {&left_half, nullptr};
+          })},
+         {joined(common, {"--border", "a:0.2", "--border", "0.03"}), with([](Request& r) {
+              r.border = 0.03;
+              r.classes.borders = {0.2, 0.03};
+          })},
+         {joined(common, {"--inside-by-radius"}), with([](Request& r) {
+              r.classes.borders = {0.05, 0.02};
+          })},
+         {joined(common, of_each), with([&](Request& r) { r.classes.masks = each(0, 0); })},
+         {joined(joined(common, of_each), {"--inside-by-radius"}), with([&](Request& r) {
+              r.classes.masks = each(0.05, 0.02);
+              r.classes.borders = {0.05, 0.02};
+          })},
+         {{"--class", "a:0.05:1:12", "--class", "b:0.02"}, with([](Request& r) {
+              r.classes.counts = {12, {}};
+          })},
+         {{"--class", "a", "--class", "b::3", "--between", matrix}, of_matrix},
+         {{"--class", "a", "--class", "b::3", "--between", same}, of_matrix},
+         {joined(common, {"--between", "union", "--keep", keep}), with([&](Request& r) {
+              r.classes.distances = distances_by_union(std::vector{0.05, 0.02});
+              r.keep = kept;
+              r.keep_classes = kinds;
+          })}});
 }
 
 TEST(OptionsOfStipple, ArriveInTheLibrary) {

@@ -18,22 +18,17 @@ using namespace lacuna;
 using namespace lacuna::tests;
 using Json = nlohmann::json;
 
-Words with(Words first, const Words& more) {
-    first.insert(first.end(), more.begin(), more.end());
-    return first;
-}
-
 // A chunk to the west of another, and the domain of that.
 class Chunks : public testing::Test {
 protected:
     void make(const Words& options) {
-        expect_success(with({"sample", "--quiet", "-o", west_, "--domain", "1x1"}, options));
-        const Outcome made = run(
-            with({"sample", "-o", east_, "-o", json_, "--keep", west_}, with(options, domain_)));
+        expect_success(joined({"sample", "--quiet", "-o", west_, "--domain", "1x1"}, options));
+        const Outcome made = run(joined({"sample", "-o", east_, "-o", json_, "--keep", west_},
+                                        joined(options, domain_)));
         ASSERT_EQ(made.exit_code, 0) << made.err;
         summary_ = made.err;
     }
-    Outcome verified(const Words& more) const { return run(with({"verify"}, more)); }
+    Outcome verified(const Words& more) const { return run(joined({"verify"}, more)); }
 
     const Folder folder_;
     const std::string west_ = folder_.path("west.csv"), east_ = folder_.path("east.csv");
@@ -54,8 +49,8 @@ TEST_F(Chunks, AreProvenWithTheirNeighboursAndNotWithout) {
     EXPECT_EQ(set["options"]["kept"], 0);
     EXPECT_EQ(std::to_string(set["options"]["neighbours"].get<int>()), near);
 
-    const Words claim = with({east_, "--radius", "0.05"}, domain_);
-    const Outcome proven = verified(with(claim, {"--keep", west_}));
+    const Words claim = joined({east_, "--radius", "0.05"}, domain_);
+    const Outcome proven = verified(joined(claim, {"--keep", west_}));
     EXPECT_EQ(proven.exit_code, 0) << proven.out;
     EXPECT_NE(proven.out.find(count + " points, " + count + " of them outside of the domain"),
               std::string::npos)
@@ -73,14 +68,14 @@ TEST_F(Chunks, AreProvenWithTheirNeighboursAndNotWithout) {
 TEST_F(Chunks, NameANeighbourThatIsTooClose) {
     write_file(west_, "x,y\n-3,0.5\n0.96,0.5\n");
     write_file(east_, "x,y\n1.01,0.5\n");
-    const Words claim = with({east_, "--radius", "0.1", "--keep", west_}, domain_);
+    const Words claim = joined({east_, "--radius", "0.1", "--keep", west_}, domain_);
     const Outcome refuted = verified(claim);
     EXPECT_EQ(refuted.exit_code, 1);
     EXPECT_NE(refuted.out.find("points 0 at (1.01, 0.5) and 1 of " + west_ +
                                " at (0.96, 0.5) are closer than 0.1"),
               std::string::npos)
         << refuted.out;
-    const Json report = Json::parse(verified(with(claim, {"--json"})).out);
+    const Json report = Json::parse(verified(joined(claim, {"--json"})).out);
     EXPECT_EQ(report["sets"][0]["closest_pair"]["points"], Json::parse("[0, 2]"));
     EXPECT_EQ(report["sets"][0]["neighbours"], 1);
 }
@@ -98,84 +93,36 @@ TEST_F(Chunks, AreNeededOnlyWhereTheyAreNear) {
 
     write_file(west_, "x,y\n0.94,0.5\n");
     const Outcome alone =
-        run(with({"sample", "--radius", "0.05", "--keep", west_, "-o", json_}, domain_));
+        run(joined({"sample", "--radius", "0.05", "--keep", west_, "-o", json_}, domain_));
     EXPECT_EQ(alone.err.find("outside"), std::string::npos) << alone.err;
     EXPECT_EQ(verified({json_}).exit_code, 0);
 }
 
 TEST_F(Chunks, OfManySeedsSayWhatEachAloneWouldSay) {
     write_file(west_, "x,y,class\n0.999,0.5,a\n0.9,0.2,b\n0.8,0.2,b\n0.7,0.2,b\n");
-    const Words options = with(
+    const Words options = joined(
         {"sample", "--class", "a:2", "--class", "b:1", "--count", "200", "--keep", west_}, domain_);
-    const Outcome made = run(with(options, {"--seeds", "0..1", "-o", folder_.path("{seed}.json")}));
+    const Outcome made =
+        run(joined(options, {"--seeds", "0..1", "-o", folder_.path("{seed}.json")}));
     EXPECT_NE(made.err.find(", beside up to 4 kept outside, "), std::string::npos) << made.err;
-    expect_success(with(options, {"--seed", "1", "-o", json_, "--quiet"}));
+    expect_success(joined(options, {"--seed", "1", "-o", json_, "--quiet"}));
     EXPECT_EQ(content_of(folder_.path("1.json")), content_of(json_));
 }
 
-TEST_F(Chunks, OfClassesAreProven) {
-    const Words classes{"--class", "trees:0.06", "--class", "grass:0.01"};
-    make(classes);
-    EXPECT_EQ(verified(with(with({east_, "--keep", west_}, classes), domain_)).exit_code, 0);
-    const Outcome proven = verified({json_, "--keep", west_});
-    EXPECT_EQ(proven.exit_code, 0) << proven.out << proven.err;
+TEST_F(Chunks, OfClassesNameANeighbourThatIsTooClose) {
+    make({"--class", "trees:0.06", "--class", "grass:0.01"});
     write_file(west_, "x,y,class\n0.999,0.5,trees\n");
     const Outcome refuted = verified({json_, "--keep", west_});
     EXPECT_EQ(refuted.exit_code, 1);
-    EXPECT_NE(refuted.out.find("0 of " + west_ + " at (0.999, 0.5), of class trees, are closer"),
-              std::string::npos)
-        << refuted.out;
-}
-
-// A path that lies on both chunks, and a border around each.
-TEST_F(Chunks, HaveObstaclesAndBorders) {
-    const std::string path = folder_.path("path.txt");
-    write_file(path, "0.5 0.2\n1.5 0.6\n1.7 0.9\n");
-    const Words options{"--radius", "0.04", "--avoid", path + ":0.05", "--border", "0.01"};
-    make(options);
-    const Outcome proven =
-        verified(with(with({east_, "--keep", west_, "--edge", "0.0025"}, options), domain_));
-    EXPECT_EQ(proven.exit_code, 0) << proven.out << proven.err;
-    const Outcome from_json = verified({json_, "--keep", west_, "--avoid", path + ":0.05"});
-    EXPECT_EQ(from_json.exit_code, 0) << from_json.out << from_json.err;
-}
-
-TEST_F(Chunks, HaveAMask) {
-    const std::string mask = folder_.path("mask.pgm");
-    write_file(mask, "P2 2 2 1\n1 0\n1 1\n");
-    const Words options{"--radius", "0.04", "--mask", mask};
-    make(options);
-    const Outcome proven = verified(with(with({east_, "--keep", west_}, options), domain_));
-    EXPECT_EQ(proven.exit_code, 0) << proven.out << proven.err;
-}
-
-// A wood that lies on both chunks, in which alone trees stand, farther from edges than grass.
-TEST_F(Chunks, OfClassesHavePolygonsAndBordersOfTheirOwn) {
-    const std::string wood = folder_.path("wood.txt");
-    write_file(wood, "0.6 0.1\n1.7 0.2\n1.4 0.9\n0.7 0.8\n");
-    const Words classes{"--class", "trees:0.04", "--class", "grass:0.01"};
-    const Words of_trees{"--inside", "trees:" + wood};
-    for (const Words& borders : {Words{"--border", "trees:0.05", "--border", "0.003"}, Words{},
-                                 Words{"--inside-by-radius"}}) {
-        const Words options = with(with(classes, of_trees), borders);
-        make(options);
-        const Words claim = with(with({east_}, options), domain_);
-        const Outcome proven = verified(with(claim, {"--keep", west_}));
-        EXPECT_EQ(proven.exit_code, 0) << proven.out << proven.err;
-        const Outcome from_json = verified(with({json_, "--keep", west_}, of_trees));
-        EXPECT_EQ(from_json.exit_code, 0) << from_json.out << from_json.err;
-        if (borders.empty()) {
-            EXPECT_EQ(verified(claim).exit_code, 1);
-        }
-    }
+    expect_has(refuted.out, {"0 of " + west_ + " at (0.999, 0.5), of class trees, are closer"});
 }
 
 TEST(Tiles, OfOneFrameBeginWithItsPointsAndSayHowMany) {
     const Folder folder;
     const Words options{"sample", "--radius", "0.05", "--torus"};
-    const Outcome made =
-        run(with(options, {"--frame", "0.1", "--seeds", "4..7", "-o", folder.path("{seed}.csv"),
-                           "-o", folder.path("{seed}.json"), "--report", folder.path("all.json")}));
+    const Outcome made = run(
+        joined(options, {"--frame", "0.1", "--seeds", "4..7", "-o", folder.path("{seed}.csv"), "-o",
+                         folder.path("{seed}.json"), "--report", folder.path("all.json")}));
     ASSERT_EQ(made.exit_code, 0) << made.err;
     const Json tile = Json::parse(content_of(folder.path("5.json")));
     const std::size_t kept = tile["options"]["kept"];
@@ -196,8 +143,8 @@ TEST(Tiles, OfOneFrameBeginWithItsPointsAndSayHowMany) {
     for (std::size_t line = 0, at = 0; line <= kept; ++line)
         frame = all.substr(0, at = all.find('\n', at) + 1);
     write_file(folder.path("frame.csv"), frame);
-    expect_success(with(options, {"--seed", "5", "--keep", folder.path("frame.csv"), "-o",
-                                  folder.path("same.csv"), "--quiet"}));
+    expect_success(joined(options, {"--seed", "5", "--keep", folder.path("frame.csv"), "-o",
+                                    folder.path("same.csv"), "--quiet"}));
     EXPECT_EQ(content_of(folder.path("same.csv")), all);
 }
 

@@ -16,68 +16,116 @@ using namespace lacuna::tests;
 struct Capability {
     std::string name;
     Words options;
-    std::string asked;  // the option that verify asks for; empty if the file holds all
-    Words given = {};   // what verify is given then
+    std::string asked;       // the option that verify asks for; empty if the file holds all
+    Words given = {};        // what verify is given then
+    bool is_for_csv = true;  // whether verify has these options, too, for a .csv
 };
 
 std::vector<Capability> capabilities(const Folder& folder) {
-    const std::string picture = folder.path("picture.pgm"), ring = folder.path("ring.txt");
-    const std::string rocks = folder.path("rocks.csv"), kept = folder.path("kept.csv");
-    write_file(picture, pgm(4, 2, bytes({40, 80, 120, 160, 200, 90, 60, 30})));
-    write_file(folder.path("mask.pgm"), pgm(2, 2, bytes({255, 0, 255, 255})));
-    write_file(ring, "0.1 0.1\n0.9 0.1\n0.9 0.9\n0.1 0.9\n");
-    write_file(rocks, "x,y,radius\n0.5,0.5,0.2\n");
-    write_file(kept, "x,y\n0.3,0.3\n0.7,0.31\n");
-    const std::string mask = folder.path("mask.pgm");
-    const Words radius{"--radius", ".05"};
-    return {
-        {"uniform", radius, ""},
-        {"torus", joined(radius, {"--torus", "--domain", "2x1"}), ""},
-        {"border", joined(radius, {"--border", ".1"}), ""},
-        {"mask", joined(radius, {"--mask", mask}), "--mask", {"--mask", mask}},
-        {"inside", joined(radius, {"--inside", ring}), "--inside", {"--inside", ring}},
-        {"inside with an edge and a border",
-         joined(radius, {"--inside", ring, "--edge", ".002", "--border", ".03"}),
-         "--inside",
-         {"--inside", ring}},
-        {"outside", joined(radius, {"--outside", ring}), "--outside", {"--outside", ring}},
-        {"avoid", joined(radius, {"--avoid", rocks}), "--avoid", {"--avoid", rocks}},
-        {"keep", joined(radius, {"--keep", kept}), ""},
-        {"classes", {"--class", "a:.06", "--class", "b:.02:3"}, ""},
-        {"classes by union", {"--class", "a:.06", "--class", "b:.02", "--between", "union"}, ""},
-        {"field", {"--field", picture, "--scale", ".03"}, "--field", {"--field", picture}},
-        {"field and tone",
-         {"--field", picture, "--scale", ".03", "--gamma", "2", "--invert"},
-         "--invert",
-         {"--field", picture, "--gamma", "2", "--invert"}},
-        {"along",
-         {"--field", picture, "--scale", ".04", "--along", "3"},
-         "--along",
-         {"--field", picture, "--along", "3"}},
-        {"stretch", {"--stretch", ".1:.04@30"}, ""},
-        {"stretch and scale", {"--stretch", ".1:.04@30", "--scale", ".5"}, ""},
-        {"progressive", joined(radius, {"--progressive"}), ""},
-        {"progressive, of a count", {"--count", "300", "--progressive"}, ""}};
+    const auto file = [&](const char* name, const std::string& content) {
+        write_file(folder.path(name), content);
+        return folder.path(name);
+    };
+    const std::string picture =
+        file("picture.pgm", pgm(4, 2, bytes({40, 80, 120, 160, 200, 90, 60, 30})));
+    const std::string mask = file("mask.pgm", pgm(2, 2, bytes({255, 0, 255, 255})));
+    const std::string left = file("left.pgm", pgm(2, 1, bytes({255, 0})));
+    const std::string ring = file("ring.txt", "0.1 0.1\n0.9 0.1\n0.9 0.9\n0.1 0.9\n");
+    const std::string wet = file("wet.txt", "0.2 0.2\n0.7 0.2\n0.7 0.5\n0.2 0.5\n");
+    const std::string road = file("b:road.txt", "0.4 0\n0.6 0\n0.6 1\n0.4 1\n");
+    const std::string rocks = file("rocks.csv", "x,y,radius\n0.5,0.5,0.2\n");
+    const std::string kept = file("kept.csv", "x,y\n0.3,0.3\n0.7,0.31\n");
+    const std::string west = file("west.csv", "x,y\n0.98,0.3\n0.97,0.6\n");
+    const std::string west_kinds = file("kinds.csv", "x,y,class\n0.98,0.3,a\n0.97,0.6,b\n");
+    const std::string matrix = file("m.csv", "# a, b\n.06,.08\n.08,.03\n");
+    const Words radius{"--radius", ".05"}, unit{"--domain", "1x1"};
+    const Words kinds{"--class", "a:.06", "--class", "b:.02"}, east{"--domain", "1,0+1x1"};
+    const auto all = [&](const Words& what, const Words& more) { return joined(what, more); };
+    const Words of_a{"--inside", ring, "--inside", "b:" + wet, "--outside", "a:" + road};
+    return {{"uniform", radius, ""},
+            {"torus", all(radius, {"--torus", "--domain", "2x1"}), ""},
+            {"border", all(radius, {"--border", ".1"}), ""},
+            {"mask", all(radius, {"--mask", mask}), "--mask", {"--mask", mask}},
+            {"inside", all(radius, {"--inside", ring}), "--inside", {"--inside", ring}},
+            {"inside with an edge and a border",
+             all(radius, {"--inside", ring, "--edge", ".002", "--border", ".03"}),
+             "--inside",
+             {"--inside", ring}},
+            {"inside by radius",
+             all(radius, {"--inside", ring, "--inside-by-radius"}),
+             "--inside",
+             {"--inside", ring}},
+            {"outside", all(radius, {"--outside", ring}), "--outside", {"--outside", ring}},
+            {"avoid", all(radius, {"--avoid", rocks}), "--avoid", {"--avoid", rocks}},
+            {"avoid around a torus",
+             all(radius, {"--avoid", kept + ":.4", "--torus", "--domain", "1x1"}),
+             "--avoid",
+             {"--avoid", kept + ":.4"}},
+            {"near and avoid",
+             all(radius, {"--near", rocks, "--near", wet + ":.05", "--avoid", road + ":.01"}),
+             "--near",
+             {"--near", rocks, "--near", wet + ":.05", "--avoid", road + ":.01"}},
+            {"keep", all(radius, {"--keep", kept}), ""},
+            {"keep outside", all(radius, all(east, {"--keep", west})), "--keep", {"--keep", west}},
+            {"keep outside, with an obstacle and a border",
+             all(radius, all(east, {"--keep", west, "--avoid", kept + ":.5", "--border", ".01",
+                                    "--edge", ".002"})),
+             "--keep",
+             {"--keep", west, "--avoid", kept + ":.5"}},
+            {"classes", {"--class", "a:.06", "--class", "b:.02:3"}, ""},
+            {"classes by union", all(kinds, {"--between", "union"}), ""},
+            {"classes by a matrix", {"--class", "a", "--class", "b::3", "--between", matrix}, ""},
+            {"numbers of classes", {"--class", "a:.06:1:12", "--class", "b:.02"}, ""},
+            {"borders of classes", all(kinds, {"--border", "a:.2", "--border", ".1"}), ""},
+            {"masks of classes",
+             all(all(kinds, unit), {"--mask", "a:" + left, "--mask", mask}),
+             "--mask",
+             {"--mask", "a:" + left, "--mask", mask}},
+            {"polygons of classes", all(kinds, of_a), "--inside", of_a},
+            {"classes inside by their radius", all(kinds, all(of_a, {"--inside-by-radius"})),
+             "--inside", of_a},
+            {"classes beside others",
+             all(kinds, all(east, {"--keep", west_kinds})),
+             "--keep",
+             {"--keep", west_kinds}},
+            {"field", {"--field", picture, "--scale", ".03"}, "--field", {"--field", picture}},
+            {"field and tone",
+             {"--field", picture, "--scale", ".03", "--gamma", "2", "--invert"},
+             "--invert",
+             {"--field", picture, "--gamma", "2", "--invert"}},
+            {"along",
+             {"--field", picture, "--scale", ".04", "--along", "3"},
+             "--along",
+             {"--field", picture, "--along", "3"}},
+            {"stretch", {"--stretch", ".1:.04@30"}, ""},
+            {"stretch and scale", {"--stretch", ".1:.04@30", "--scale", ".5"}, ""},
+            {"progressive", all(radius, {"--progressive"}), "", {}, false},
+            {"progressive, of a count", {"--count", "300", "--progressive"}, "", {}, false}};
 }
 
-TEST(AJsonFile, OfEachCapabilityIsProvenOrAsksForWhatItLacks) {
+TEST(AFile, OfEachCapabilityIsProvenOrAsksForWhatItLacksAndRefutedWithoutAPoint) {
     const Folder folder;
     for (const Capability& one : capabilities(folder)) {
         SCOPED_TRACE(one.name);
-        const std::string path = folder.path("a.json");
-        expect_success(joined(joined({"sample", "--quiet"}, one.options), {"-o", path}));
+        const std::string path = folder.path("a.json"), csv = folder.path("a.csv");
+        expect_success(joined(joined({"sample", "--quiet"}, one.options), {"-o", path, "-o", csv}));
         const Outcome alone = run({"verify", path});
         if (one.asked.empty()) {
             EXPECT_EQ(alone.exit_code, 0) << alone.out << alone.err;
-            continue;
+        } else {
+            // Of several files the first one is not enough.
+            const Outcome lacking =
+                one.given.size() == 2 ? alone : run({"verify", path, one.given[0], one.given[1]});
+            expect_one_error(lacking, 2, {"a.json: made with " + one.asked});
+            expect_success(joined({"verify", path}, one.given));
         }
-        if (one.given.size() == 2)
-            expect_one_error(alone, 2, {"a.json: made with " + one.asked});
-        else  // the picture alone is not enough
-            expect_one_error(run({"verify", path, one.given[0], one.given[1]}), 2,
-                             {"a.json: made with " + one.asked});
-        const Outcome proven = run(joined({"verify", path}, one.given));
-        EXPECT_EQ(proven.exit_code, 0) << proven.out << proven.err;
+        if (!one.is_for_csv) continue;
+        const Words claim = joined({"verify", csv}, one.options);
+        expect_success(claim);
+        std::string points = content_of(csv);
+        points.erase(points.rfind('\n', points.size() - 2) + 1);
+        write_file(csv, points);
+        EXPECT_EQ(run(claim).exit_code, 1);
     }
 }
 

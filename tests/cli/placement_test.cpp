@@ -1,5 +1,6 @@
-// Classes of points and obstacles, as a user of the command meets them: options, files, proofs and
-// refusals.
+// Classes of points and obstacles, as a user of the command meets them: columns, reports, verdicts
+// and refusals. That options arrive is in arrives_test.cpp, and that sets are proven from their
+// files in made_with_test.cpp.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
@@ -100,28 +101,17 @@ TEST(Classes, HaveTheirNumbersOfPointsInFilesAndProofs) {
     EXPECT_EQ(sample_with({"--class", "a:0.1:1:900", "--class", "b:0.1", "-o", csv}).exit_code, 2);
 }
 
-TEST(Classes, HaveMasksOfTheirOwn) {
+TEST(Classes, HaveOneMaskEach) {
     const Folder folder;
     const std::string left = folder.path("left.pgm"), top = folder.path("top.pgm");
     write_file(left, std::string("P5 2 1 255\n") + '\xff' + '\0');
     write_file(top, std::string("P5 1 2 255\n") + '\xff' + '\0');
-    const std::string csv = folder.path("a.csv"), json = folder.path("a.json");
-    const Names kinds{"--class", "trees:0.05", "--class", "grass:0.01", "--domain", "1x1"};
-    const Names masks{"--mask", "trees:" + left, "--mask", top};
-    ASSERT_EQ(sample_with(with(with(kinds, masks), {"-o", csv, "-o", json})).exit_code, 0);
-    std::size_t trees = 0;
-    for (const std::string& line : lines_of(files::read_whole(csv))) {
-        const bool is_grass = line.ends_with(",grass");
-        if (!is_grass && !line.ends_with(",trees")) continue;
-        trees += is_grass ? 0 : 1;
-        const double x = std::stod(line), y = std::stod(line.substr(line.find(',') + 1));
-        EXPECT_TRUE(is_grass ? y > 0.5 : x < 0.5) << line;
-    }
-    EXPECT_GT(trees, 20U);
-    for (const Names& options : {with(with({csv}, kinds), masks), with({json}, masks)})
-        EXPECT_EQ(verify_with(options).exit_code, 0);
+    const std::string json = folder.path("a.json");
+    ASSERT_EQ(sample_with({"--class", "trees:0.05", "--class", "grass:0.01", "--domain", "1x1",
+                           "--mask", "trees:" + left, "--mask", top, "-o", json})
+                  .exit_code,
+              0);
     EXPECT_EQ(verify_with({json, "--mask", top}).exit_code, 1);
-    EXPECT_EQ(verify_with({json}).exit_code, 2);
     EXPECT_EQ(verify_with({json, "--mask", "trees:" + left, "--mask", "trees:" + top}).err,
               "lacuna: --mask trees:" + top + ": a second mask of class trees\n");
 }
@@ -179,26 +169,14 @@ TEST(Classes, AreNamedInFilesAndProvenFromThem) {
         << changed.out;
 }
 
-TEST(Classes, TakeAMatrixFromAFileAndKeepPointsOfTheirClass) {
+TEST(Classes, HaveTheirKeptPointsFirst) {
     const Folder folder;
-    const std::string csv = folder.path("a.csv"), matrix = folder.path("m.csv");
-    write_file(matrix, "# near, far\n0.05, 0.08\n0.08, 0.1\n");
-    write_file(folder.path("m.json"), "[[0.05, 0.08], [0.08, 0.1]]");
-    const Names options{"--class", "near", "--class", "far::3", "--between"};
-    const auto made = [&](const Names& more) {
-        const Outcome outcome = sample_with(with(with(options, more), {"-o", csv}));
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        return files::read_whole(csv);
-    };
-    const std::string by_csv = made({matrix});
-    EXPECT_EQ(by_csv, made({folder.path("m.json")}));
-    EXPECT_EQ(verify_with(with(with({csv}, options), {matrix})).exit_code, 0);
-
-    const std::string kept = folder.path("kept.csv");
-    write_file(kept, "x,y,class\n0.25,0.5,far\n0.75,0.5,near\n");
-    const std::string around = made({matrix, "--keep", kept});
-    EXPECT_TRUE(around.starts_with("x,y,class\n0.25,0.5,far\n0.75,0.5,near\n")) << around;
-    EXPECT_EQ(verify_with(with(with({csv}, options), {matrix, "--keep", kept})).exit_code, 0);
+    const std::string csv = folder.path("a.csv"), kept = folder.path("kept.csv");
+    write_file(kept, "x,y,class\n0.25,0.5,grass\n0.75,0.5,trees\n");
+    const Names keep{"--keep", kept};
+    ASSERT_EQ(sample_with(with(with(kWood, keep), {"-o", csv})).exit_code, 0);
+    EXPECT_TRUE(files::read_whole(csv).starts_with("x,y,class\n0.25,0.5,grass\n0.75,0.5,trees\n"));
+    EXPECT_EQ(verify_with(with(with({csv}, kWood), keep)).exit_code, 0);
 }
 
 TEST(Classes, AreInEveryFileOfSeeds) {
@@ -291,70 +269,23 @@ TEST(Classes, AreCountedInTheSummaryAndTheReport) {
               Json::parse(R"([{"name": "a", "count": 3}, {"name": "b", "count": 12}])"));
 }
 
-TEST(Obstacles, ArePointsWithRadiiAndLinesWithAWidth) {
+TEST(Obstacles, AreNamedAsPolygonsWhereAPointIsInOne) {
     const Folder folder;
-    const std::string rocks = folder.path("rocks.csv"), path = folder.path("path.svg");
-    write_file(rocks, "radius,x,y\n0.1,0.3,0.3\n0.2,0.9,1.1\n0,0.5,0.5\n");
-    write_file(path, "<svg viewBox='0 0 2 1'><polyline points='0,0.2 1,0.5 2,0.4'/></svg>");
-    const std::string csv = folder.path("a.csv");
-    const Names options{"--avoid",  rocks, "--avoid",  path + ":0.05",
-                        "--domain", "2x1", "--radius", "0.02"};
-    ASSERT_EQ(sample_with(with(options, {"-o", csv})).exit_code, 0);
-    const std::vector<Point> points = files::read_points(csv);
-    EXPECT_GT(points.size(), 2000U);
-    double nearest_rock = 1, nearest_path = 1;
-    for (const Point& p : points) {
-        nearest_rock = std::min(nearest_rock, std::hypot(p.x - 0.3, p.y - 0.3) - 0.1);
-        nearest_rock = std::min(nearest_rock, std::hypot(p.x - 0.9, p.y - 1.1) - 0.2);
-        // The line from (0, 0.8) to (1, 0.5), y upwards.
-        if (p.x < 0.9)
-            nearest_path =
-                std::min(nearest_path, std::abs(0.3 * p.x + p.y - 0.8) / std::hypot(0.3, 1) - 0.05);
-    }
-    EXPECT_GE(nearest_rock, 0);
-    EXPECT_LT(nearest_rock, 0.01);
-    EXPECT_GE(nearest_path, 0);
-    EXPECT_LT(nearest_path, 0.01);
-    const Outcome proven = verify_with(with({csv}, options));
-    EXPECT_EQ(proven.exit_code, 0) << proven.out;
-
-    write_file(csv, files::read_whole(csv) + "0.31,0.3\n");
-    const Outcome refuted = verify_with(with({csv}, options));
+    const std::string rocks = folder.path("rocks.csv"), csv = folder.path("a.csv");
+    write_file(rocks, "x,y,radius\n0.3,0.3,0.1\n");
+    write_file(csv, "x,y\n0.31,0.3\n");
+    const Outcome refuted =
+        verify_with({csv, "--avoid", rocks, "--domain", "1x1", "--radius", "1"});
     EXPECT_EQ(refuted.exit_code, 1);
     EXPECT_NE(refuted.out.find("where the polygons let none lie"), std::string::npos)
         << refuted.out;
 }
 
-TEST(Near, ArePointsWithinADistanceOfLinesAndWithinOtherPlaces) {
+TEST(Near, NeedsDistancesAndReachesAsFarAsTheDomain) {
     const Folder folder;
     const std::string path = folder.path("path.svg"), lots = folder.path("lots.csv");
     write_file(path, "<svg viewBox='0 0 2 1'><polyline points='0,0.5 2,0.5'/></svg>");
-    write_file(lots, "x,y,radius\n0.5,0.9,0.05\n1.99,0.1,0.04\n");
     const std::string csv = folder.path("a.csv"), json = folder.path("a.json");
-    const Names options{"--near",       path + ":0.2", "--near", lots,     "--avoid",
-                        path + ":0.05", "--radius",    "0.02",   "--torus"};
-    ASSERT_EQ(sample_with(with(options, {"-o", csv, "-o", json})).exit_code, 0);
-    std::size_t by_path = 0, by_lots = 0, around = 0;
-    for (const Point& p : files::read_points(csv)) {
-        const double to_path = std::abs(p.y - 0.5);
-        EXPECT_GE(to_path, 0.05);
-        by_path += to_path <= 0.2 ? 1 : 0;
-        if (to_path <= 0.2) continue;
-        ++by_lots;
-        const double across = std::abs(p.x - 1.99);
-        const double to_lot = std::min(std::hypot(p.x - 0.5, p.y - 0.9) / 0.05,
-                                       std::hypot(std::min(across, 2 - across), p.y - 0.1) / 0.04);
-        EXPECT_LE(to_lot, 1);
-        around += p.x < 0.1 ? 1 : 0;
-    }
-    EXPECT_GT(by_path, 1000U);
-    EXPECT_GT(by_lots, 15U);
-    EXPECT_GT(around, 2U);
-    const Names places{"--near", path + ":0.2", "--near", lots, "--avoid", path + ":0.05"};
-    EXPECT_EQ(verify_with(with({json}, places)).exit_code, 0);
-    EXPECT_EQ(verify_with(with({csv}, options)).exit_code, 0);
-    EXPECT_EQ(verify_with({json}).exit_code, 2);
-
     const auto refusal = [&](const std::string& near) {
         return sample_with({"--near", near, "--radius", "0.02", "-o", csv}).err;
     };
@@ -385,29 +316,18 @@ TEST(Near, ArePointsWithinADistanceOfLinesAndWithinOtherPlaces) {
     EXPECT_EQ(domain["y0"], 45);
 }
 
-TEST(Obstacles, ReachAroundATorus) {
-    const Folder folder;
-    const std::string rocks = folder.path("rocks.csv"), csv = folder.path("a.csv");
-    write_file(rocks, "x,y\n0.01,0.5\n");
-    ASSERT_EQ(sample_with({"--avoid", rocks + ":0.2", "--torus", "--radius", "0.03", "-o", csv})
-                  .exit_code,
-              0);
-    for (const Point& p : files::read_points(csv)) {
-        const double dx = std::min(std::abs(p.x - 0.01), 1 - std::abs(p.x - 0.01));
-        ASSERT_GE(std::hypot(dx, p.y - 0.5), 0.2);
-    }
-    EXPECT_EQ(
-        verify_with({csv, "--avoid", rocks + ":0.2", "--torus", "--radius", "0.03"}).exit_code, 0);
-}
-
 // As people's files are: semicolons, names in capitals and quotes, and a row's own name.
 TEST(Obstacles, AreReadAsPointsAre) {
     const Folder folder;
-    const std::string rocks = folder.path("rocks.csv"), csv = folder.path("a.csv");
-    write_file(rocks, "\"X\";\"Y\";\"Radius\"\n\"a\";0.5;0.25;0.2\n\"b\";0.5;0.75;0\n");
-    ASSERT_EQ(sample_with({"--avoid", rocks, "--radius", "0.03", "-o", csv}).exit_code, 0);
-    for (const Point& p : files::read_points(csv))
-        ASSERT_GE(std::hypot(p.x - 0.5, p.y - 0.25), 0.2);
+    const auto made_with = [&](const std::string& content) {
+        write_file(folder.path("rocks.csv"), content);
+        const Outcome outcome = sample_with(
+            {"--avoid", folder.path("rocks.csv"), "--radius", "0.03", "--format", "csv"});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return outcome.out;
+    };
+    EXPECT_EQ(made_with("\"X\";\"Y\";\"Radius\"\n\"a\";0.5;0.25;0.2\n\"b\";0.5;0.75;0\n"),
+              made_with("x,y,radius\n0.5,0.25,0.2\n0.5,0.75,0\n"));
 }
 
 TEST(Obstacles, AreRefusedInOneLine) {

@@ -96,15 +96,4 @@ TEST(VerifyPlaces, OfAMaskPolygonsABorderAndKeptPoints) {
     expect_has(verdict_of("right.txt", {"--radius", "0.8", "--keep", right}, 0), {"maximal"});
 }
 
-TEST(VerifyOfAFileThatTellsAScale, AsksForThePictureThatItsRadiiFollow) {
-    const Folder folder;
-    const std::string field = folder.path("field.pgm");
-    const std::string points = folder.path("points.json");
-    write_file(field, picture(0, '\xc0'));
-    expect_success({"sample", "--field", field, "--scale", "0.1", "-o", points});
-    expect_one_error(run({"verify", points}), 2, {"points.json", "made with --field"});
-    expect_success({"verify", points, "--distances-only"});
-    expect_success({"verify", points, "--field", field});
-}
-
 }  // namespace

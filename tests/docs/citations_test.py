@@ -5,7 +5,8 @@
 - in code, the path of a file, from the repository's root or from the folder of the code;
 - in pages, a relative link, or a path in backticks. NAME, GROUP and X in a path stand for anything.
 
-It also fails for an option of CMake that docs/cpp.md does not name.
+It also fails for an option of CMake that docs/cpp.md does not name, and where the prover or the judge
+of the tests includes code that it must not share with the samplers.
 """
 import pathlib
 import re
@@ -27,6 +28,10 @@ PATH = re.compile(rf"(?:{'|'.join(FOLDERS)}|\.ci)/[\w./*-]*$")
 FILE = re.compile(rf"(?<![\w/.}}-])(?:{'|'.join(FOLDERS)})/[\w./-]*\w\.(?:cpp|h|cl|comp|js|json|py|md)\b")
 OPTION = re.compile(r'^(?:option\((LACUNA_\w+)|set\((LACUNA_\w+) "" CACHE)', re.MULTILINE)
 SOURCE = re.compile(r"[\w/*-]+\.(?:cpp|h|cl|comp|cmake)$")
+INCLUDE = re.compile(r'^#include ["<]([\w./]+)[">]', re.MULTILINE)
+# A fault in what two of them share would blind both. Of this project's own code each may include what
+# is named here, beside the public headers.
+APART = {"tests/judge": ("judge/",), "host/verify": ("verify/", "base/"), "host/base": ("base/",)}
 
 
 def joined(text: str) -> str:
@@ -73,17 +78,29 @@ def wrong_paths(page: pathlib.Path, text: str):
             yield f"`{word}`"
 
 
+def shared(folder: str, text: str):
+    for header in INCLUDE.findall(text):
+        is_ours = any((ROOT / base / header).exists() for base in ("host", "kernels", "tests", folder))
+        if is_ours and not header.startswith(APART[folder]):
+            yield f'a reason for {folder} to share "{header}"'
+
+
 def main() -> int:
     planted = "none.md", "design.md,\n// section 99", 'design.md, section 4, "nowhere"'
     assert all(any(wrong_citations("docs/" + text)) for text in planted)
     assert len(list(wrong_paths(PAGES[1], "[a](../none.md) `host/none.h` `none/NAME.h`"))) == 3
     assert list(wrong_files(ROOT / "host", '"host/none.h", tests/none.json, NAME/host/none.h')) == [
         "host/none.h", "tests/none.json"]
+    includes = ['"verify/domain.h"', "<plan/plan.h>", '"fields.h"', "<lacuna/sample.h>", "<cmath>"]
+    assert [len(list(shared("tests/judge", "#include " + one))) for one in includes] == [1, 1, 1, 0, 0]
     code = [path for folder in FOLDERS for path in (ROOT / folder).rglob("*") if path.suffix in CODE]
     code.remove(pathlib.Path(__file__))  # its planted faults
     faults = [(path, fault) for path in [*PAGES, *code] for fault in wrong_citations(path.read_text())]
     faults += [(page, fault) for page in PAGES for fault in wrong_paths(page, page.read_text())]
     faults += [(path, fault) for path in code for fault in wrong_files(path.parent, path.read_text())]
+    for folder in APART:
+        faults += [(path, fault) for path in sorted((ROOT / folder).glob("*"))
+                   for fault in shared(folder, path.read_text())]
     cpp = ROOT / "docs" / "cpp.md"
     named = cpp.read_text()
     for path in [ROOT / "CMakeLists.txt", *(ROOT / "cmake").glob("*.cmake")]:

@@ -32,6 +32,7 @@ inline std::vector<std::string> backends() {
 struct Answer {
     std::vector<Result> sets;
     std::vector<Point> moved;
+    TileFrame frame;
     std::string refusal;
 };
 
@@ -55,6 +56,11 @@ inline Answer answer_of(const Made& made, const std::string& backend, std::uint3
     request.place.threads = threads;
     Answer answer;
     try {
+        if (made.frame > 0) {
+            answer.frame = frame_of(request, made.frame);
+            request.keep = answer.frame.points;
+            request.keep_classes = answer.frame.classes;
+        }
         if (made.seeds.size() > 1 && backend != "reference") {
             sample_many(request, made.seeds,
                         [&](auto, Result set) { answer.sets.push_back(std::move(set)); });
@@ -67,7 +73,7 @@ inline Answer answer_of(const Made& made, const std::string& backend, std::uint3
         if (made.is_moved()) answer.moved = moved_some(made, request, answer.sets.front().points);
         return answer;
     } catch (const BadRequest& error) {
-        return {{}, {}, error.what()};
+        return {{}, {}, {}, error.what()};
     }
 }
 
@@ -101,7 +107,9 @@ inline Answer answer_of_all(const Made& made, const std::vector<std::string>& na
         const bool is_same = expected.refusal == got.refusal &&
                              std::equal(expected.sets.begin(), expected.sets.end(),
                                         got.sets.begin(), got.sets.end(), are_same) &&
-                             expected.moved == got.moved;
+                             expected.moved == got.moved &&
+                             expected.frame.points == got.frame.points &&
+                             expected.frame.classes == got.frame.classes;
         demand(is_same, name + " with " + std::to_string(threads) + " threads answers: " +
                             told(got) + "\n  " + names.front() + " answers: " + told(expected));
         ++counts.comparisons;

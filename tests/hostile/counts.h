@@ -4,16 +4,19 @@
 #include <lacuna/lacuna.h>
 
 #include <cstdint>
-#include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include "judge/plane.h"
 
 namespace lacuna::tests {
 
 struct Counts {
+    std::uint64_t requests = 0, refusals = 0;
     std::uint64_t sets = 0, points = 0, comparisons = 0, proofs = 0;
-    std::uint64_t refuted = 0;  // with one point less or too close
-    std::uint64_t as_good = 0;  // without one point, because others cover its room
+    std::uint64_t refuted = 0;  // with one point less, moved or too close
+    std::uint64_t as_good = 0;  // with such a change, because others cover the room
+    std::uint64_t filled = 0;   // by gaps
 };
 
 inline void demand(bool is_so, const std::string& otherwise) {
@@ -21,10 +24,7 @@ inline void demand(bool is_so, const std::string& otherwise) {
 }
 
 inline std::string told(Point at) {
-    std::ostringstream out;
-    out.precision(17);
-    out << "(" << at.x << ", " << at.y << ")";
-    return out.str();
+    return judge::text_of(at);
 }
 
 }  // namespace lacuna::tests

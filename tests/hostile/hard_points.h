@@ -7,54 +7,31 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <optional>
-#include <vector>
+#include <span>
+#include <string>
 
 #include "hostile/made.h"
 #include "hostile/random_parts.h"
+#include "judge/judge.h"
 
 namespace lacuna::tests {
 
-// The least radius of all pixels within 2^-28 of the longer side, where the point may lie.
-inline std::optional<double> radius_of_kept(const Made& made, Point at) {
-    const Request& request = made.request;
-    const verify::Domain domain = made.domain();
-    const double border = request.border;
-    if (!(domain.contains(at) && at.x >= border && domain.width - at.x >= border &&
-          at.y >= border && domain.height - at.y >= border))
-        return std::nullopt;
-    const verify::FieldCase pixels{.name = "", .field = {}, .domain = domain};
-    const double blur = domain.longer_side() * 0x1p-28;
-    std::optional<double> radius;
-    bool is_open = false;
-    for (const double dx : {-blur, 0.0, blur})
-        for (const double dy : {-blur, 0.0, blur}) {
-            const Point near{at.x + dx, at.y + dy};
-            is_open |=
-                request.mask == nullptr ||
-                made.mask.allowed[pixels.pixel_of(near, made.mask.columns, made.mask.rows)] != 0;
-            const double importance =
-                request.field == nullptr
-                    ? 1
-                    : made.field
-                          .importance[pixels.pixel_of(near, made.field.columns, made.field.rows)];
-            const double size = request.field == nullptr ? *request.radius : *request.scale;
-            if (importance > 0)
-                radius = std::min(radius.value_or(std::numeric_limits<double>::infinity()),
-                                  size / std::sqrt(importance));
-        }
-    return is_open ? radius : std::nullopt;
+// Why points cannot be kept together; empty if they can.
+inline std::string fault_of_kept(const Made& made, std::span<const Point> points) {
+    Request request = made.request;
+    request.keep = points;
+    const double size = request.field == nullptr ? *request.radius : *request.scale;
+    return judge::Judge(request, points, {}, size).fault();
 }
 
 inline double hard_place(Chooser& choose, const Made& made, double side, std::uint32_t pixels,
                          std::uint32_t others) {
     const double border = made.request.border;
-    const double near = 0.999 * made.domain().longer_side() * 0x1p-28;
+    const double near = 0.999 * made.request.domain.longer_side() * 0x1p-28;
     switch (choose.below(5)) {
         case 0:
             if (choose.one_in(2)) return 0.0;
-            return made.domain().torus ? std::nextafter(side, 0) : side;
+            return made.request.domain.wraps() ? std::nextafter(side, 0) : side;
         case 1:
             return choose.one_in(2) ? border : side - border;
         case 2:
@@ -77,18 +54,16 @@ inline void add_hard_points(Chooser& choose, Made& made) {
         Point at{
             hard_place(choose, made, request.domain.width, made.field.columns, made.mask.columns),
             hard_place(choose, made, request.domain.height, made.field.rows, made.mask.rows)};
-        const auto there = radius_of_kept(made, at);
-        if (there && choose.one_in(4)) {
-            at = made.keep[choose.below(static_cast<std::uint32_t>(made.keep.size()))];
-            (choose.one_in(2) ? at.x : at.y) += *radius_of_kept(made, at);
+        if (choose.one_in(4)) {  // beside another one, as near as it may be
+            const Point other =
+                made.keep[choose.below(static_cast<std::uint32_t>(made.keep.size()))];
+            const double size = request.field == nullptr ? *request.radius : *request.scale;
+            const auto shape = judge::Judge(request, {}, {}, size).shape_at(other);
+            at = other;
+            if (shape) (choose.one_in(2) ? at.x : at.y) += shape->shorter;
         }
-        const auto radius = radius_of_kept(made, at);
-        const auto is_far = [&](Point other) {
-            return made.domain().distance(at, other) >=
-                   std::min(*radius, radius_of_kept(made, other).value_or(0));
-        };
-        if (radius && std::all_of(made.keep.begin(), made.keep.end(), is_far))
-            made.keep.push_back(at);
+        made.keep.push_back(at);
+        if (!fault_of_kept(made, made.keep).empty()) made.keep.pop_back();
     }
 }
 

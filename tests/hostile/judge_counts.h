@@ -26,12 +26,12 @@ inline std::uint64_t points_of_class(std::size_t of_class, std::span<const std::
 // The sets that the request had without a number are `sets`. One point more than the kept ones has
 // room in them, and more may have.
 inline void judge_counts(Made& made, const std::vector<Result>& sets,
-                         const std::vector<std::string>& names, std::mt19937_64& random,
-                         Counts& counts) {
+                         const std::vector<std::string>& names, Random& random, Counts& counts) {
     Request& request = made.request;
     Classes& classes = request.classes;
     const std::size_t kinds = classes.names.size();
-    if (kinds < 2 || request.count || request.limit || request.progressive) return;
+    if (kinds < 2 || made.frame > 0 || request.count || request.limit || request.progressive)
+        return;
     const std::size_t kind = random() % kinds;
     const std::uint64_t kept = points_of_class(kind, made.keep_classes);
     std::uint64_t most = points_of_class(kind, sets.front().classes);

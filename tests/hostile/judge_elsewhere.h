@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <random>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,14 +52,14 @@ inline void judge_elsewhere(const Made& made, const std::vector<std::string>& ba
     for (std::size_t i = 0; i < sets.size(); ++i) sets[i].rings = rings[i];
     const std::string at = "at the corner " + told(Point{domain.x0, domain.y0}) + " ";
     Mask mask;
-    Result set;
+    Result made_there;
     try {
         if (!sets.empty()) {
             mask = draw_places(sets, domain, made.edge);
             request.mask = &mask;
         }
         request.place.backend = backends[1 + random() % (backends.size() - 1)];
-        set = sample(request);
+        made_there = sample(request);
     } catch (const BadRequest& error) {
         const std::string_view why = error.what();
         const bool has_no_spot = !sets.empty() && why.find("has no room") != why.npos;
@@ -66,22 +67,38 @@ inline void judge_elsewhere(const Made& made, const std::vector<std::string>& ba
                at + "the request is refused: " + error.what());
         return;
     }
-    for (const Point& point : set.points)
-        demand(domain.holds(point), at + told(point) + " lies outside of the domain");
-    if (request.mode == Mode::cells || request.mode == Mode::stratified) return;
-    Claim claim = lacuna::claim_of(request, set);
-    if (set.points.size() < made.keep.size()) {  // a limit cuts them
-        claim.keep = claim.keep.first(set.points.size());
-        claim.keep_classes = {};
+    for (const Point& point : made_there.points)
+        demand(judge::contains(domain, point), at + told(point) + " lies outside");
+    if (request.mode == Mode::stratified) return;
+    const Set set{request,
+                  made_there.points,
+                  made_there.classes,
+                  request.field != nullptr ? made_there.scale : made_there.radius,
+                  made_there.maximal,
+                  made.keep.size(),
+                  sets,
+                  made.edge};
+    try {
+        Claim claim = lacuna::claim_of(request, made_there);
+        if (request.mode != Mode::exact) {
+            demand(claim.distances_only && prove(made_there.points, claim).kept,
+                   "its claim is refuted, or is of more than distances");
+            return request.mode == Mode::pixels ? void() : judge_paper(set);
+        }
+        const std::string fault = set.judge().fault();
+        demand(fault.empty(), fault);
+        if (!sets.empty()) {
+            claim.mask = nullptr;
+            claim.polygons = sets;
+            claim.edge_tolerance = made.edge;
+        }
+        if (set.points.size() < set.kept)
+            claim.keep = claim.keep.first(set.points.size()),
+            claim.keep_classes = {};  // a limit cuts them
+        demand_proof(set, claim, "lacuna/verify.h", counts);
+    } catch (const std::exception& error) {
+        throw std::runtime_error(at + error.what());
     }
-    if (!sets.empty()) {
-        claim.mask = nullptr;
-        claim.polygons = sets;
-        claim.edge_tolerance = made.edge;
-    }
-    const Set whole{set.points, set.classes, 0, !claim.distances_only};
-    demand_proof(prove(set.points, claim), whole, at + "lacuna/verify.h");
-    ++counts.proofs;
 }
 
 }  // namespace lacuna::tests

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -12,7 +13,6 @@
 #include <vector>
 
 #include "hostile/capabilities.h"
-#include "verify/domain.h"
 
 namespace lacuna::tests {
 
@@ -22,10 +22,13 @@ struct Made {
     Request request;
     Field field{};
     Mask mask{};
-    std::vector<PolygonRing> inside{}, outside{}, avoided{};
+    std::deque<std::vector<PolygonRing>> rings{};  // of the polygons
     std::vector<PolygonSet> polygons{};
     double edge = 0;
-    std::vector<Point> keep{};  // in the domain
+    std::deque<Mask> masks{};     // of classes
+    std::vector<double> radii{};  // that give the distances of classes by sum or by union
+    double frame = 0;             // the width of what tiles share
+    std::vector<Point> keep{};    // in the domain
     std::vector<std::uint8_t> keep_classes{};
     std::vector<Point> neighbours{};  // outside
     std::vector<std::uint8_t> neighbour_classes{};
@@ -39,7 +42,20 @@ struct Made {
     Made(const Made&) = delete;
     Made& operator=(const Made&) = delete;
     bool is(Capability capability, std::string_view level) const {
-        return is_level(row, capability, level);
+        return is_level(kSampling, row, capability, level);
+    }
+    double least_distance() const {
+        double least = std::numeric_limits<double>::infinity();
+        for (const double distance : request.classes.distances)
+            if (distance > 0) least = std::min(least, distance);
+        return least;
+    }
+    // Sets the distances of classes, which are multiplied by a factor.
+    void scale_classes(double by) {
+        for (double& radius : radii) radius *= by;
+        for (double& distance : request.classes.distances) distance *= by;
+        if (is(kClasses, "sum")) request.classes.distances = distances_by_sum(radii);
+        if (is(kClasses, "union")) request.classes.distances = distances_by_union(radii);
     }
     bool is_moved() const { return moves.iterations != 0 || moves.gaussian != 0; }
     void keep_all() {
@@ -51,7 +67,6 @@ struct Made {
         request.keep = all_kept;
         request.keep_classes = all_kept_classes;
     }
-    verify::Domain domain() const { return verify::domain_of(request.domain); }
 };
 
 // The levels that a request has, which must be those of its row.
@@ -60,22 +75,30 @@ inline Row levels_of(const Made& made) {
     const auto level = [](auto number) { return static_cast<std::uint8_t>(number); };
     const double aspect = std::max(request.domain.width / request.domain.height,
                                    request.domain.height / request.domain.width);
-    Row row{};
+    const auto has = [&](const char* option) {
+        return level(std::any_of(made.polygons.begin(), made.polygons.end(),
+                                 [&](const PolygonSet& set) { return set.option == option; }));
+    };
+    Row row(kSampling.levels.size());
     row[kMode] = level(request.mode);
     row[kRadii] = request.field == nullptr ? 0 : request.field->stretches.empty() ? 1 : 2;
     row[kClasses] = request.classes.names.empty() ? 0 : made.row[kClasses];
-    row[kMask] = request.mask != nullptr && made.polygons.empty() ? 1 : 0;
-    row[kInside] = made.inside.empty() ? 0 : 1;
-    row[kOutside] = made.outside.empty() ? 0 : 1;
-    row[kAvoid] = made.avoided.empty() ? 0 : 1;
+    row[kMask] = !request.classes.masks.empty()                     ? 2
+                 : request.mask != nullptr && made.polygons.empty() ? 1
+                                                                    : 0;
+    row[kInside] = has("inside");
+    row[kOutside] = has("outside");
+    row[kAvoid] = has("avoid");
+    row[kNear] = has("near");
     row[kBorder] = request.border > 0 ? 1 : 0;
-    row[kKeep] = request.keep.empty() ? 0 : made.neighbours.empty() ? 1 : 2;
+    row[kKeep] = request.keep.empty() || made.frame > 0 ? 0 : made.neighbours.empty() ? 1 : 2;
     row[kEdges] = request.domain.wraps() ? 1 : 0;
     row[kDomain] = aspect > 3.1 ? 1 : 0;
     row[kSize] = request.count ? 1 : request.radius || request.scale ? 0 : 2;
     row[kOrder] = request.progressive ? 1 : 0;
     row[kLimit] = request.limit ? 1 : 0;
     row[kSeeds] = made.seeds.size() > 1 ? 1 : 0;
+    row[kFrame] = made.frame > 0 ? 1 : 0;
     row[kThreads] = request.place.threads > 1 ? 1 : 0;
     row[kRounds] = request.paper2011.round_size == 0    ? 0
                    : request.paper2011.round_size == 1  ? 1
@@ -94,7 +117,7 @@ inline std::string describe(const Made& made) {
     const Request& request = made.request;
     std::ostringstream out;
     out.precision(std::numeric_limits<double>::max_digits10);
-    out << tests::describe(made.row) << "; " << request.domain.width << "x"
+    out << tests::describe(kSampling, made.row) << "; " << request.domain.width << "x"
         << request.domain.height;
     if (request.radius) out << ", radius " << *request.radius;
     if (request.scale) out << ", scale " << *request.scale;

@@ -1,11 +1,8 @@
-// The options of programs that make random requests.
+// The options of hostile.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <random>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,31 +10,42 @@
 namespace lacuna::tests {
 
 struct HostileOptions {
-    std::optional<double> seconds;
+    bool samples = true, stipples = true;
+    std::uint64_t requests = 0;  // after all pairs are covered
     std::uint64_t seed = std::random_device()();
     std::uint64_t skip = 0;
+    std::string only{};
+    std::string on{};  // a backend, in place of all
 };
 
-// Reads options named in `known`, each with a value. Throws std::invalid_argument with the reason.
-inline HostileOptions read_hostile_options(int argc, char** argv,
-                                           std::span<const std::string_view> known) {
+// Throws std::invalid_argument with the reason.
+inline HostileOptions read_hostile_options(int argc, char** argv) {
     HostileOptions options;
-    for (int i = 1; i < argc; i += 2) {
-        const std::string name = argv[i];
-        if (std::find(known.begin(), known.end(), name) == known.end()) {
-            std::string all;
-            for (const std::string_view one : known) all.append(" ").append(one);
-            throw std::invalid_argument(name + ": must be one of" + all);
-        }
-        if (i + 1 == argc) throw std::invalid_argument(name + ": needs a value");
-        const std::string value = argv[i + 1];
+    const auto number = [](const std::string& name, const std::string& value) {
         try {
-            if (name == "--seconds") options.seconds = std::stod(value);
-            if (name == "--seed") options.seed = std::stoull(value);
-            if (name == "--skip") options.skip = std::stoull(value);
+            return std::stoull(value);
         } catch (const std::logic_error&) {
             throw std::invalid_argument(name + " " + value + ": must be a number");
         }
+    };
+    for (int i = 1; i < argc; ++i) {
+        const std::string name = argv[i];
+        if (name == "sample" || name == "stipple") {
+            options.samples = name == "sample";
+            options.stipples = !options.samples;
+            continue;
+        }
+        constexpr std::string_view kKnown = "--requests --seed --skip --only --on ";
+        if (kKnown.find(name + " ") == kKnown.npos)
+            throw std::invalid_argument(name + ": must be sample, stipple or one of " +
+                                        std::string(kKnown));
+        if (++i == argc) throw std::invalid_argument(name + ": needs a value");
+        const std::string value = argv[i];
+        if (name == "--requests") options.requests = number(name, value);
+        if (name == "--seed") options.seed = number(name, value);
+        if (name == "--skip") options.skip = number(name, value);
+        if (name == "--only") options.only = value;
+        if (name == "--on") options.on = value;
     }
     return options;
 }

@@ -12,8 +12,9 @@
 #include <random>
 #include <vector>
 
+#include "hostile/made.h"
 #include "hostile/random_polygons.h"
-#include "verify/ellipse_sets.h"
+#include "judge/judge.h"
 
 namespace lacuna::tests {
 
@@ -28,7 +29,7 @@ public:
     std::mt19937_64& random() { return random_; }
     std::uint32_t below(std::uint32_t end) { return static_cast<std::uint32_t>(random_() % end); }
     bool one_in(std::uint32_t many) { return below(many) == 0; }
-    double in(double low, double high) { return verify::any_in(random_, low, high); }
+    double in(double low, double high) { return judge::any_in(random_, low, high); }
     // A number from low to high; all powers are equally likely.
     double power(double low, double high) {
         return std::min(high, low * std::pow(high / low, in(0, 1)));
@@ -57,6 +58,20 @@ inline Field random_field(Chooser& choose, double most_pixels, double range) {
         }
     field.importance[choose.random()() % field.importance.size()] = 1;
     return field;
+}
+
+// Ratios from 1 to 32, at angles that are random on every pixel, or swirl around the middle.
+inline void stretch_field(Chooser& choose, bool swirls, Field& field) {
+    const double greatest = std::pow(32, choose.in(0, 1));
+    field.stretches.resize(field.importance.size());
+    for (std::size_t i = 0; i < field.stretches.size(); ++i) {
+        const double x = static_cast<double>(i % field.columns) - field.columns / 2.0;
+        const double y = static_cast<double>(i / field.columns) - field.rows / 2.0;
+        if (swirls)
+            field.stretches[i] = {greatest, 2 * std::atan2(y, x) + 0.01 * x * y};
+        else
+            field.stretches[i] = {std::pow(greatest, choose.in(0, 1)), choose.in(-4, 4)};
+    }
 }
 
 inline double mean_of(const Field& field) {
@@ -98,40 +113,39 @@ inline Mask random_mask(Chooser& choose) {
 }
 
 // Lines and points to avoid; nothing is inside of them.
-inline std::vector<PolygonRing> random_lines(Chooser& choose, const verify::Domain& domain) {
+inline std::vector<PolygonRing> random_lines(Chooser& choose, const Domain& domain) {
     std::vector<PolygonRing> lines(1 + choose.below(8));
     for (PolygonRing& line : lines) {
         for (std::uint32_t corners = 1 + choose.below(4); corners != 0; --corners)
-            line.push_back(verify::any_place(choose.random(), domain));
+            line.push_back(judge::any_place(choose.random(), domain));
         for (std::size_t back = line.size(); back > 1; --back) line.push_back(line[back - 1]);
     }
     return lines;
 }
 
-// Classes as nobody would ask for them: two to sixteen that leave each other no room, do not know
-// of each other, or are not drawn. The least distance is 1.
-inline Classes random_classes(Chooser& choose, bool is_sum, bool is_union, double ratio) {
-    Classes classes;
+// The radii or, by no rule, distances of classes as nobody would ask for them: two to sixteen that
+// leave each other no room, ignore each other, or are not drawn. The least distance is 1.
+inline void choose_classes(Chooser& choose, Made& made, double ratio) {
+    Classes& classes = made.request.classes;
     const std::size_t count = 2 + choose.below(choose.one_in(4) ? 15 : 3);
-    std::vector<double> radii;
     for (std::size_t i = 0; i < count; ++i) {
         classes.names.push_back("class-" + std::to_string(i));
-        radii.push_back(choose.power(1, ratio));
+        made.radii.push_back(choose.power(1, ratio));
     }
-    classes.distances = is_sum ? distances_by_sum(radii) : distances_by_union(radii);
-    for (std::size_t i = 0; i < count && !is_sum && !is_union; ++i)
-        for (std::size_t j = 0; j <= i; ++j)
-            classes.distances[i * count + j] = classes.distances[j * count + i] =
-                i != j && choose.one_in(4) ? 0 : choose.power(1, ratio);
-    double least = classes.distances.front();
-    for (const double distance : classes.distances)
-        if (distance > 0) least = std::min(least, distance);
-    for (double& distance : classes.distances) distance /= least;
-    if (choose.one_in(2)) return classes;
+    if (made.is(kClasses, "given")) {
+        made.radii.clear();
+        classes.distances.resize(count * count);
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t j = 0; j <= i; ++j)
+                classes.distances[i * count + j] = classes.distances[j * count + i] =
+                    i != j && choose.one_in(4) ? 0 : choose.power(1, ratio);
+    }
+    made.scale_classes(1);
+    made.scale_classes(1 / made.least_distance());
+    if (choose.one_in(2)) return;
     classes.weights.assign(count, 1);
     for (std::size_t i = 1; i < count; ++i)
         classes.weights[i] = choose.one_in(4) ? 0 : choose.power(1e-4, 1e4);
-    return classes;
 }
 
 }  // namespace lacuna::tests

@@ -9,18 +9,13 @@
 #include <cstdint>
 #include <numbers>
 #include <random>
-#include <string>
 #include <vector>
 
-#include "verify/domain.h"
-#include "verify/field_sets.h"
+#include "judge/judge.h"
 
 namespace lacuna::tests {
 
-struct Rings {
-    std::string name;
-    std::vector<PolygonRing> rings;
-};
+using Rings = std::vector<PolygonRing>;
 
 inline PolygonRing rectangle(Point low, Point high) {
     return {{low.x, low.y}, {high.x, low.y}, {high.x, high.y}, {low.x, high.y}};
@@ -38,7 +33,7 @@ inline PolygonRing pentagram(Point middle, double reach, double turn) {
 
 // Teeth that become narrower, from wider than a pixel to far narrower than one.
 // A domain without room for a tooth has a triangle.
-inline PolygonRing comb(const verify::Domain& domain, double edge) {
+inline PolygonRing comb(const Domain& domain, double edge) {
     PolygonRing ring{{domain.width, 0}, {0, 0}, {0, domain.height * 0.05}};
     double x = 0;
     for (double tooth = 12 * edge; x + tooth < domain.width && tooth > edge / 1000; tooth *= 0.8) {
@@ -50,51 +45,70 @@ inline PolygonRing comb(const verify::Domain& domain, double edge) {
     return ring;
 }
 
+// An island of irregular outline, perhaps with a lake, and perhaps a thin triangle across both.
+inline Rings any_rings(std::mt19937_64& random, const Domain& domain) {
+    const Point middle{domain.width * judge::any_in(random, 0.3, 0.7),
+                       domain.height * judge::any_in(random, 0.3, 0.7)};
+    const auto star = [&](double least, double most) {
+        PolygonRing ring;
+        for (int i = 0; i < 12; ++i) {
+            const double reach = judge::any_in(random, least, most);
+            ring.push_back({middle.x + domain.width * reach * std::cos(i * 0.5236),
+                            middle.y + domain.height * reach * std::sin(i * 0.5236)});
+        }
+        return ring;
+    };
+    Rings rings{star(0.25, 0.7)};
+    if (random() % 2 == 0) rings.push_back(star(0.02, 0.2));
+    if (random() % 2 == 0)
+        rings.push_back({{0, middle.y},
+                         {domain.width, middle.y * (1 + 1e-7)},
+                         {domain.width, middle.y * (1 - 1e-7)}});
+    return rings;
+}
+
 // For a mask where half the diagonal of a pixel is `edge`.
 class RandomPolygons {
 public:
-    RandomPolygons(std::mt19937_64& random, const verify::Domain& domain, double edge)
+    RandomPolygons(std::mt19937_64& random, const Domain& domain, double edge)
         : random_(random), domain_(domain), edge_(edge), longer_(domain.longer_side()) {}
 
     Rings next() {
         switch (below(10)) {
-            case 0:
-                return {", an island with a lake", verify::any_rings(random_, domain_)};
+            case 0:  // an island with a lake
+                return any_rings(random_, domain_);
             case 1:
-                return {", a pentagram",
-                        {pentagram({domain_.width / 2, domain_.height / 2}, shorter() * 0.49,
-                                   in(0, 7))}};
+                return {
+                    pentagram({domain_.width / 2, domain_.height / 2}, shorter() * 0.49, in(0, 7))};
             case 2:
-                return {", a comb", {comb(domain_, edge_)}};
-            case 3:
-                return {", boxes that overlap",
-                        some(2, 20, [&] { return box_of(place(), place()); })};
+                return {comb(domain_, edge_)};
+            case 3:  // that overlap
+                return some(2, 20, [&] { return box_of(place(), place()); });
             case 4:
-                return {", triangles and needles", some(1, 12, [&] { return needle(); })};
+                return some(1, 12, [&] { return needle(); });
             case 5:
                 return holes();
             case 6:
-                return {", boxes on the mask's lattice",
-                        some(1, 6, [&] { return box_of(place_on_lattice(), place_on_lattice()); })};
+                return some(1, 6, [&] { return box_of(place_on_lattice(), place_on_lattice()); });
             case 7:
                 return nothings();
             case 8:
                 return neighbours();
             default:
-                return {", crumbs", some(1, 60, [&] { return crumb(); })};
+                return some(1, 60, [&] { return crumb(); });
         }
     }
 
 private:
     std::uint32_t below(std::uint32_t end) { return static_cast<std::uint32_t>(random_() % end); }
-    double in(double low, double high) { return verify::any_in(random_, low, high); }
-    Point place() { return verify::any_place(random_, domain_); }
+    double in(double low, double high) { return judge::any_in(random_, low, high); }
+    Point place() { return judge::any_place(random_, domain_); }
     double shorter() const { return std::min(domain_.width, domain_.height); }
     PolygonRing all() const { return rectangle({-longer_, -longer_}, {2 * longer_, 2 * longer_}); }
 
     template <typename Make>
-    std::vector<PolygonRing> some(std::uint32_t least, std::uint32_t more, Make make) {
-        std::vector<PolygonRing> rings(least + below(more));
+    Rings some(std::uint32_t least, std::uint32_t more, Make make) {
+        Rings rings(least + below(more));
         for (PolygonRing& ring : rings) ring = make();
         return rings;
     }
@@ -127,11 +141,11 @@ private:
         return rectangle(a, {a.x + size, a.y + size * in(0.1, 3)});
     }
 
+    // All but holes that reach out of the domain.
     Rings holes() {
-        Rings made{", all but holes that reach out of the domain",
-                   some(1, 4, [&] { return pentagram(place(), shorter() * in(0.1, 2), 1); })};
-        made.rings.push_back(all());
-        return made;
+        Rings rings = some(1, 4, [&] { return pentagram(place(), shorter() * in(0.1, 2), 1); });
+        rings.push_back(all());
+        return rings;
     }
 
     // A box that is a hole three times, so it stays a hole, and rings that enclose no area.
@@ -139,20 +153,18 @@ private:
         const PolygonRing box = box_of(place(), place());
         const Point a = place(), b = place();
         const Point between{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
-        return {", a ring twice and rings around nothing",
-                {all(), box, box, box, {a, b, a}, {a, b, between}, {a, a, a}}};
+        return {all(), box, box, box, {a, b, a}, {a, b, between}, {a, a, a}};
     }
 
     // Boxes with an edge or a corner in common.
     Rings neighbours() {
         const Point a = place();
-        return {", boxes that touch",
-                {rectangle({0, 0}, a), rectangle(a, {domain_.width, domain_.height}),
-                 rectangle({a.x, 0}, {domain_.width, a.y})}};
+        return {rectangle({0, 0}, a), rectangle(a, {domain_.width, domain_.height}),
+                rectangle({a.x, 0}, {domain_.width, a.y})};
     }
 
     std::mt19937_64& random_;
-    const verify::Domain domain_;
+    const Domain domain_;
     double edge_;
     double longer_;
 };

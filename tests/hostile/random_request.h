@@ -21,6 +21,7 @@
 #include "hostile/hard_points.h"
 #include "hostile/made.h"
 #include "hostile/random_parts.h"
+#include "judge/judge.h"
 #include "plan/checked_request.h"
 
 namespace lacuna::tests {
@@ -37,12 +38,13 @@ public:
             auto made = std::make_unique<Made>(row_);
             if (try_to_make(*made, is_refused)) return made;
         }
-        throw std::runtime_error("no request of this row has room: " + tests::describe(row_));
+        throw std::runtime_error("no request of this row has room: " +
+                                 tests::describe(kSampling, row_));
     }
 
 private:
     bool is(Capability capability, std::string_view level) const {
-        return is_level(row_, capability, level);
+        return is_level(kSampling, row_, capability, level);
     }
 
     bool try_to_make(Made& made, bool is_refused) {
@@ -70,6 +72,7 @@ private:
             made.mask = random_mask(choose_);
             request.mask = &made.mask;
         }
+        if (is(kMask, "of classes")) choose_masks(made);
         if (has_polygons() && !choose_polygons(made)) return false;
         const auto border = [&] {
             return request.domain.shorter_side() / 2 *
@@ -99,6 +102,12 @@ private:
             request.count = std::max<std::uint64_t>(*request.count, 2 * trial.points.size());
         if (!is(kKeep, "no")) choose_kept(made, trial);
         if (is(kLimit, "yes")) request.limit = 1 + choose_.below(most_points());
+        if (is(kFrame, "yes") && !is_refused) {
+            const double least = 1.5 * size_ * spread_of(made);
+            const double more = request.domain.shorter_side() / 2 - least;
+            made.frame = choose_.one_in(2) ? least : least + choose_.in(0, 0.99) * more;
+        }
+        if (is(kFrame, "yes") && is_refused) made.frame = request.domain.shorter_side() / 4;
         return true;
     }
 
@@ -133,7 +142,7 @@ private:
     }
 
     bool has_polygons() const {
-        return is(kInside, "yes") || is(kOutside, "yes") || is(kAvoid, "yes");
+        return is(kInside, "yes") || is(kOutside, "yes") || is(kAvoid, "yes") || is(kNear, "yes");
     }
     bool has_ellipses() const { return is(kRadii, "ellipses"); }
 
@@ -146,7 +155,8 @@ private:
     // On a torus a radius of at most the shorter side leaves no fewer points than its aspect.
     void choose_domain(Request& request) {
         const bool is_torus = request.domain.wraps();
-        const double most = !is_torus ? 1000 : has_ellipses() ? 9 : most_points() / 1.5;
+        const bool is_short = has_ellipses() || is(kFrame, "yes");
+        const double most = !is_torus ? 1000 : is_short ? 9 : most_points() / 1.5;
         const double aspect = is(kDomain, "long") ? choose_.power(3.2, most) : choose_.power(1, 3);
         const double side = choose_.power(1e-6, 1e6);
         request.domain.width = choose_.one_in(2) ? side : side * aspect;
@@ -165,8 +175,9 @@ private:
                                                               : is_cells         ? 12
                                                                                  : 60);
         if (!is(kRadii, "one")) {
-            made.field = has_ellipses() ? random_field(choose_, 12, 50)
-                                        : random_field(choose_, 60, is_cells ? 1e4 : 1e12);
+            made.field = is(kFrame, "yes") ? random_field(choose_, 12, 4)
+                         : has_ellipses()  ? random_field(choose_, 12, 50)
+                                           : random_field(choose_, 60, is_cells ? 1e4 : 1e12);
             radius *= is_cells ? 1 : std::sqrt(mean_of(made.field));
             if (has_ellipses()) radius = choose_stretches(made.field, radius, is_torus, shorter);
             request.field = &made.field;
@@ -178,14 +189,15 @@ private:
         if (!is(kClasses, "none")) {
             // docs/placement.md: distances may differ by 4,000; progressive orders of such take
             // long. Nearly equal ones must not become equal in whole numbers.
-            double ratio = !request.progressive && choose_.one_in(6) ? 300 : 8;
+            const bool may_differ = !request.progressive && !is(kFrame, "yes");
+            double ratio = is(kFrame, "yes") ? 2 : may_differ && choose_.one_in(6) ? 300 : 8;
             if (choose_.one_in(4)) ratio = 1 + choose_.power(1e-9, 0.03);
-            request.classes =
-                random_classes(choose_, is(kClasses, "sum"), is(kClasses, "union"), ratio);
+            choose_classes(choose_, made, ratio);
             radius *= std::sqrt(crowd_of(request.classes));
-            const double unit = is(kSize, "of classes") ? radius : choose_.power(1e-3, 1e3);
-            for (double& distance : request.classes.distances) distance *= unit;
         }
+        if (is(kFrame, "yes")) radius = std::min(radius, shorter / 3.2 / spread_of(made));
+        if (!is(kClasses, "none"))
+            made.scale_classes(is(kSize, "of classes") ? radius : choose_.power(1e-3, 1e3));
         size_ = radius;
         if (is(kSize, "given"))
             (request.field != nullptr ? request.scale : request.radius) = radius;
@@ -199,6 +211,22 @@ private:
                scale / scale;
     }
 
+    // The greatest distance of two points over the radius or scale.
+    static double spread_of(const Made& made) {
+        const std::vector<double>& distances = made.request.classes.distances;
+        double spread = distances.empty() ? 1
+                                          : *std::max_element(distances.begin(), distances.end()) /
+                                                made.least_distance();
+        if (made.request.field == nullptr) return spread;
+        double greatest = 0;
+        for (std::size_t i = 0; i < made.field.importance.size(); ++i)
+            if (made.field.importance[i] > 0)
+                greatest = std::max(
+                    greatest, (made.field.stretches.empty() ? 1 : made.field.stretches[i].ratio) /
+                                  made.field.importance[i]);
+        return spread * std::sqrt(greatest);
+    }
+
     // The points of all classes, if each were alone, over those of one that keeps a distance of 1.
     static double crowd_of(const Classes& classes) {
         double crowd = 0;
@@ -210,7 +238,7 @@ private:
 
     // Returns the scale: on a torus no ellipse may be longer than the shorter side.
     double choose_stretches(Field& field, double scale, bool is_torus, double shorter) {
-        verify::stretch_field(choose_.random(), choose_.one_in(2), field);
+        stretch_field(choose_, choose_.one_in(2), field);
         if (!is_torus) return scale;
         scale = std::min(scale, shorter / 2.2);
         const double least = std::pow(2.01 * scale / shorter, 2);
@@ -223,27 +251,50 @@ private:
         return scale;
     }
 
+    // Masks of some classes. With points outside all have one size.
+    void choose_masks(Made& made) {
+        const Mask first = random_mask(choose_);
+        for (std::size_t i = 0; i < made.request.classes.names.size(); ++i) {
+            made.masks.push_back(choose_.one_in(3) ? first : random_mask(choose_));
+            Mask& mask = made.masks.back();
+            if (is(kKeep, "outside") && mask.allowed.size() != first.allowed.size()) mask = first;
+            mask.columns = is(kKeep, "outside") ? first.columns : mask.columns;
+            made.request.classes.masks.push_back(i > 0 && choose_.one_in(3) ? nullptr : &mask);
+        }
+        if (!choose_.one_in(2)) return;
+        made.mask = first;
+        made.request.mask = &made.mask;
+    }
+
     // Returns false if the polygons leave nothing.
     bool choose_polygons(Made& made) {
-        const verify::Domain domain = made.domain();
         Request& request = made.request;
+        const Domain& domain = request.domain;
         const double area = domain.width * domain.height;
         const double typical = std::sqrt(0.7 * area / most_points());
         made.edge = std::max(typical * std::pow(2, -choose_.in(1, 6)), std::sqrt(area) / 300);
+        const auto add = [&](std::vector<PolygonRing> rings, PolygonSet set) {
+            made.rings.push_back(std::move(rings));
+            set.rings = made.rings.back();
+            made.polygons.push_back(std::move(set));
+        };
         const auto next = [&] {
             return RandomPolygons(choose_.random(), domain, made.edge).next();
         };
-        if (is(kInside, "yes")) made.inside = next().rings;
-        if (is(kOutside, "yes")) made.outside = next().rings;
-        if (is(kAvoid, "yes")) made.avoided = random_lines(choose_, domain);
-        if (is(kInside, "yes")) made.polygons.push_back({made.inside});
-        if (is(kOutside, "yes")) made.polygons.push_back({made.outside, true});
-        if (is(kAvoid, "yes"))
-            made.polygons.push_back({made.avoided, true, typical * choose_.power(0.1, 2)});
-        // Or samples lie near to these lines.
-        if (is(kAvoid, "yes") && choose_.one_in(3)) {
-            made.polygons.back().near = true;
-            made.polygons.back().distance *= 4;
+        const auto some = [&] { return typical * choose_.power(0.1, 2); };
+        for (std::uint32_t more = 1 + choose_.below(2); more != 0; --more) {
+            if (is(kInside, "yes"))
+                add(next(), {.distance = choose_.one_in(2) ? 0 : some(), .option = "inside"});
+            if (is(kOutside, "yes"))
+                add(next(), {.forbidden = true,
+                             .distance = choose_.one_in(2) ? 0 : some(),
+                             .option = "outside"});
+            if (is(kAvoid, "yes"))
+                add(random_lines(choose_, domain),
+                    {.forbidden = true, .distance = some(), .option = "avoid"});
+            if (is(kNear, "yes"))
+                add(random_lines(choose_, domain),
+                    {.distance = 4 * some(), .near = true, .option = "near"});
         }
         made.mask = draw_mask(made.polygons, request.domain, made.edge);
         request.mask = &made.mask;
@@ -335,7 +386,8 @@ private:
             const auto is_far = [&](std::size_t other) {
                 const std::size_t of_other =
                     classes.names.empty() ? 0 : made.all_kept_classes[other];
-                return made.domain().distance(at, made.all_kept[other]) >= apart(kind, of_other);
+                return judge::distance(made.request.domain, at, made.all_kept[other]) >=
+                       apart(kind, of_other);
             };
             bool fits = true;
             for (std::size_t i = 0; i < made.all_kept.size(); ++i) fits = fits && is_far(i);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/judge.h"
 #include "plan/kept.h"
 #include "refusal.h"
 
@@ -98,23 +99,7 @@ TEST(KeptPoints, AreRefusedWhereAnyPairIsTooClose) {
         std::vector<Point> keep;
         for (int i = 2 + turn % 6; i > 0; --i) keep.push_back({anywhere(random), anywhere(random)});
         request.keep = keep;
-        const auto radius_at = [&](Point point) {
-            const auto row = static_cast<std::size_t>(7 - std::floor(8 * point.y));
-            const auto column = static_cast<std::size_t>(std::floor(8 * point.x));
-            return *request.scale / std::sqrt(field.importance[8 * row + column]);
-        };
-        bool is_too_close = false;
-        for (std::size_t a = 0; a < keep.size(); ++a)
-            for (std::size_t b = 0; b < a; ++b) {
-                double dx = std::abs(keep[a].x - keep[b].x);
-                double dy = std::abs(keep[a].y - keep[b].y);
-                if (turn % 2 == 1) {
-                    dx = std::min(dx, 1 - dx);
-                    dy = std::min(dy, 1 - dy);
-                }
-                is_too_close |=
-                    std::hypot(dx, dy) < std::min(radius_at(keep[a]), radius_at(keep[b]));
-            }
+        const bool is_too_close = judge::Judge(request, keep, {}, 0.004).closest().share < 1;
         EXPECT_EQ(refusal_of(request) != "accepted", is_too_close) << "turn " << turn;
         refused += is_too_close ? 1 : 0;
     }
@@ -142,22 +127,13 @@ TEST(KeptPoints, MayHaveTheRadiusThatTheClosestPairAllows) {
             keep.push_back(is_torus ? Point{std::abs(point.x), std::abs(point.y) / 2} : point);
             kinds.push_back(static_cast<std::uint8_t>(static_cast<std::size_t>(i) % classes));
         }
-        double most = std::numeric_limits<double>::infinity();  // radius
-        for (std::size_t a = 0; a < keep.size(); ++a)
-            for (std::size_t b = 0; b < a; ++b) {
-                const double share =
-                    classes == 1 ? 1
-                                 : request.classes.distances[std::size_t{3} * kinds[a] + kinds[b]];
-                double dx = std::abs(keep[a].x - keep[b].x);
-                double dy = std::abs(keep[a].y - keep[b].y);
-                if (is_torus) {
-                    dx = std::min(dx, 3 - dx);
-                    dy = std::min(dy, 2 - dy);
-                }
-                if (share > 0) most = std::min(most, std::hypot(dx, dy) / share);
-            }
         request.keep = keep;
         if (classes > 1) request.keep_classes = kinds;
+        // Each lies in a domain of all, and the least distance of two classes is 1.
+        Request all{.domain = request.domain};
+        all.classes = request.classes;
+        const double most =
+            judge::Judge(all, keep, request.keep_classes, 1).closest().share;  // radius
         request.radius = most * (1 - 1e-12);
         EXPECT_EQ(refusal_of(request), "accepted") << "turn " << turn;
         request.radius = most * (1 + 1e-12);

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/plane.h"
 #include "recipes/settle.h"
 #include "refusal.h"
 
@@ -57,14 +58,7 @@ TEST(Making, WithMovesIsSamplingAndRelaxing) {
         EXPECT_EQ(made.result.backend, "cpu");
         ASSERT_TRUE(made.relaxed);
         EXPECT_TRUE(made.relaxed->evenness);
-        double least = 1;
-        for (std::size_t i = 0; i < points.size(); ++i)
-            for (std::size_t k = 0; k < i; ++k) {
-                const double x = std::abs(points[i].x - points[k].x);
-                const double y = std::abs(points[i].y - points[k].y);
-                least = std::min(least, std::hypot(std::min(x, 1 - x), std::min(y, 1 - y)));
-            }
-        EXPECT_NEAR(made.result.radius, least, 1e-15);
+        EXPECT_EQ(made.result.radius, judge::closest_pair(options.domain, points).distance);
     }
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/plane.h"
 #include "recipes/stippled_pictures.h"
 #include "refusal.h"
 
@@ -26,12 +27,8 @@ TEST(Stippling, HasTheNumberOfDotsAskedForAndASizeForEach) {
     EXPECT_EQ(made.request.domain.height, 0.75);
     EXPECT_EQ(made.request.field, nullptr);
     EXPECT_EQ(made.columns, 4U);
-    double least = 1;
-    for (std::size_t i = 0; i < 300; ++i)
-        for (std::size_t k = 0; k < i; ++k)
-            least = std::min(least, std::hypot(made.result.points[i].x - made.result.points[k].x,
-                                               made.result.points[i].y - made.result.points[k].y));
-    EXPECT_DOUBLE_EQ(made.result.radius, least);
+    EXPECT_EQ(made.result.radius,
+              judge::closest_pair(made.request.domain, made.result.points).distance);
     EXPECT_FALSE(made.result.maximal);
 }
 

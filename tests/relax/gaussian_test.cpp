@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "distances.h"
 #include "fields.h"
+#include "judge/plane.h"
 #include "refusal.h"
 #include "relax/available.h"
 #include "relax/cpu/gaussian.h"
@@ -134,14 +134,6 @@ Relaxed evened(std::uint64_t count, const RelaxOptions& options, std::uint64_t s
     return relax(sample(request).points, nullptr, options);
 }
 
-double relative_radius(const std::vector<Point>& points, const RelaxOptions& options) {
-    const double area =
-        options.domain.width * options.domain.height / static_cast<double>(points.size());
-    return lacuna::tests::least_distance(points, options.domain.width, options.domain.height,
-                                         options.domain.wraps()) /
-           std::sqrt(area * 2 / std::sqrt(3.0));
-}
-
 TEST(LowFrequencies, have_no_power_on_a_torus_and_points_keep_a_distance) {
     for (const double width : {1.0, 2.5}) {
         RelaxOptions options = on(width, 1, Boundary::torus);
@@ -151,7 +143,7 @@ TEST(LowFrequencies, have_no_power_on_a_torus_and_points_keep_a_distance) {
         options.gaussian = 150;
         const Relaxed smooth = evened(1000, options, 3);
         EXPECT_LT(low_power(smooth.points, width), 1e-8) << width;
-        EXPECT_GT(relative_radius(smooth.points, options), 0.82) << width;
+        EXPECT_GT(judge::relative_distance(options.domain, smooth.points), 0.82) << width;
     }
 }
 
@@ -160,9 +152,11 @@ TEST(LowFrequencies, are_not_bought_with_the_distance_that_was_asked_for) {
     options.iterations = 30;
     options.gaussian = 150;
     options.gaussian_distance = 0;
-    const double without = relative_radius(evened(1000, options, 3).points, options);
+    const double without =
+        judge::relative_distance(options.domain, evened(1000, options, 3).points);
     options.gaussian_distance = 0.95;
-    EXPECT_GT(relative_radius(evened(1000, options, 3).points, options), without + 0.05);
+    EXPECT_GT(judge::relative_distance(options.domain, evened(1000, options, 3).points),
+              without + 0.05);
 }
 
 // The rms error of integrals of Gaussians over a unit box, as the points estimate them; relative.
@@ -195,7 +189,7 @@ TEST(Integrals, over_a_box_are_several_times_as_exact_as_with_relaxed_points) {
     const Relaxed smooth = evened(1024, options, 1);
     EXPECT_LT(error_of_integrals(smooth.points), std::min(relaxed / 3, 1e-3)) << relaxed;
     EXPECT_EQ(smooth.evenness->after, smooth.evenness->after_voronoi);
-    EXPECT_GT(relative_radius(smooth.points, options), 0.8);
+    EXPECT_GT(judge::relative_distance(options.domain, smooth.points), 0.8);
 }
 
 // The forces of the edges in whole numbers against the same in double.

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/plane.h"
 #include "refusal.h"
 #include "relax/available.h"
 #include "relax/scenes.h"
@@ -19,34 +20,6 @@ namespace lacuna::relaxing::tests {
 namespace {
 
 using lacuna::tests::refusal_of;
-
-double importance_under(const Field& field, const Point& point, const RelaxOptions& options) {
-    const auto column = static_cast<std::size_t>(point.x / options.domain.width * field.columns);
-    const auto row = static_cast<std::size_t>(point.y / options.domain.height * field.rows);
-    return field.importance[(field.rows - 1 - row) * field.columns + column];
-}
-
-double least_distance(const std::vector<Point>& points, const RelaxOptions& options) {
-    double least = std::numeric_limits<double>::max();
-    const bool wraps = options.domain.wraps();
-    const auto along = [&](double a, double b, double side) {
-        const double straight = std::abs(a - b);
-        return wraps ? std::min(straight, side - straight) : straight;
-    };
-    for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            least =
-                std::min(least, std::hypot(along(points[i].x, points[j].x, options.domain.width),
-                                           along(points[i].y, points[j].y, options.domain.height)));
-    return least;
-}
-
-// The least distance, in units of the hexagonal lattice with as many points.
-double relative_least_distance(const std::vector<Point>& points, const RelaxOptions& options) {
-    const double area =
-        options.domain.width * options.domain.height / static_cast<double>(points.size());
-    return least_distance(points, options) / std::sqrt(area * 2 / std::sqrt(3.0));
-}
 
 class Relax : public OnBackend {};
 INSTANTIATE_TEST_SUITE_P(All, Relax, kRelaxBackends, name_of_parameter);
@@ -70,15 +43,9 @@ TEST_P(Relax, leaves_no_point_outside_of_the_domain_or_on_white) {
             scene.options.iterations = iterations;
             const Relaxed relaxed = relax(scene.points, scene.field_or_null(), scene.options);
             ASSERT_EQ(relaxed.points.size(), scene.points.size()) << scene;
-            for (const Point& point : relaxed.points) {
-                EXPECT_TRUE(point.x >= 0 && point.x < scene.options.domain.width && point.y >= 0 &&
-                            point.y < scene.options.domain.height)
-                    << scene << " (" << point.x << ", " << point.y << ")";
-                if (scene.field) {
-                    EXPECT_GT(importance_under(*scene.field, point, scene.options), 0)
-                        << scene << " (" << point.x << ", " << point.y << ")";
-                }
-            }
+            Request where{.domain = scene.options.domain};
+            where.field = scene.field_or_null();
+            EXPECT_EQ(judge::Judge(where, relaxed.points, {}, 0).fault(), "") << scene;
         }
     }
 }
@@ -89,7 +56,7 @@ TEST_P(Relax, takes_points_on_one_spot_apart) {
         scene.options.place.backend = GetParam();
         scene.options.iterations = 60;
         const Relaxed relaxed = relax(scene.points, nullptr, scene.options);
-        EXPECT_GT(relative_least_distance(relaxed.points, scene.options), 0.5) << scene;
+        EXPECT_GT(judge::relative_distance(scene.options.domain, relaxed.points), 0.5) << scene;
     }
 }
 
@@ -109,7 +76,7 @@ TEST_P(Relax, evens_shares_out_on_a_torus) {
     const Relaxed thirty = relax(start, nullptr, options);
     EXPECT_LT(thirty.evenness->after, 0.033);
     EXPECT_LT(thirty.evenness->after_voronoi, 0.05);
-    EXPECT_GT(relative_least_distance(thirty.points, options), 0.65);
+    EXPECT_GT(judge::relative_distance(options.domain, thirty.points), 0.65);
 }
 
 TEST_P(Relax, is_asked_whether_to_go_on_and_stops) {

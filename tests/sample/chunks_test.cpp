@@ -6,6 +6,7 @@
 #include <lacuna/verify.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -16,14 +17,13 @@
 #include <string>
 #include <vector>
 
-#include "backends/radius_field_requests.h"
+#include "judge/judge.h"
 #include "refusal.h"
-#include "sample/chunk_requests.h"
 
 namespace chunks_test {
 
 using namespace lacuna;
-using Random = std::mt19937_64;
+using judge::Random;
 
 // Points with their classes, which have none or all one.
 struct Joined {
@@ -48,70 +48,17 @@ Proof proof_of(const Request& request, const Result& set) {
     return prove(set.points, claim_of(request, set));
 }
 
-// A user's computation: distances of all pairs, and places taken at random.
-class Judge {
-public:
-    Judge(const Joined& set, const Classes& classes, double radius)
-        : set_(set), classes_(classes), radius_(radius) {}
-
-    std::size_t conflicts() const {
-        std::vector<std::size_t> order(set_.points.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-            return set_.points[a].x < set_.points[b].x;
-        });
-        std::size_t conflicts = 0;
-        for (std::size_t i = 0; i < order.size(); ++i)
-            for (std::size_t j = i + 1; j < order.size(); ++j) {
-                const Point a = set_.points[order[i]], b = set_.points[order[j]];
-                if (b.x - a.x >= greatest()) break;
-                conflicts += distance(a, b) < limit(kind_of(order[i]), kind_of(order[j]));
-            }
-        return conflicts;
-    }
-    // Spots of the rectangle where a point of some class has room.
-    std::size_t gaps(Random& random, const Domain& domain, int spots) const {
-        std::size_t gaps = 0;
-        std::uniform_real_distribution<double> share;
-        for (int k = 0; k < spots; ++k) {
-            const Point spot =
-                domain.at({share(random) * domain.width, share(random) * domain.height});
-            for (std::size_t kind = 0; kind < count(); ++kind) gaps += has_room(spot, kind);
-        }
-        return gaps;
-    }
-
-private:
-    std::size_t count() const { return std::max<std::size_t>(classes_.names.size(), 1); }
-    std::size_t kind_of(std::size_t point) const {
-        return set_.classes.empty() ? 0 : set_.classes[point];
-    }
-    double limit(std::size_t a, std::size_t b) const {
-        return classes_.names.empty() ? radius_ : classes_.distances[a * count() + b];
-    }
-    double greatest() const {
-        return classes_.names.empty()
-                   ? radius_
-                   : *std::max_element(classes_.distances.begin(), classes_.distances.end());
-    }
-    static double distance(Point a, Point b) {
-        const double dx = a.x - b.x, dy = a.y - b.y;
-        return std::sqrt(dx * dx + dy * dy);
-    }
-    bool has_room(Point spot, std::size_t kind) const {
-        for (std::size_t i = 0; i < set_.points.size(); ++i)
-            if (distance(spot, set_.points[i]) < limit(kind_of(i), kind) + 1e-6) return false;
-        return true;
-    }
-
-    const Joined& set_;
-    const Classes& classes_;
-    double radius_;
-};
-
 Request uniform(double radius) {
     Request request;
     request.radius = radius;
+    request.place.backend = "cpu";
+    return request;
+}
+
+Request chunk_of_classes() {
+    Request request;
+    request.classes.names = {"trees", "bushes", "grass"};
+    request.classes.distances = distances_by_sum(std::vector{0.06, 0.03, 0.012});
     request.place.backend = "cpu";
     return request;
 }
@@ -125,6 +72,7 @@ void expect_one_set(const Request& request, std::uint64_t seed) {
     std::shuffle(order.begin(), order.end(), random);
     const Domain all{3, 1.5, Boundary::box, -7, 100};
     Joined joined;
+    double set_size = 0;
     for (const int chunk : order) {
         const Domain domain{1, 0.5, Boundary::box, all.x0 + chunk % 3, all.y0 + chunk / 3 * 0.5};
         Request one = chunk_of(request, domain, joined);
@@ -134,6 +82,7 @@ void expect_one_set(const Request& request, std::uint64_t seed) {
         const Proof proof = proof_of(one, set);
         EXPECT_TRUE(proof.maximal) << "chunk " << chunk;
         joined.add(set);
+        set_size = set.radius;
     }
     Claim claim;
     claim.domain = all;
@@ -142,9 +91,11 @@ void expect_one_set(const Request& request, std::uint64_t seed) {
     claim.class_of_points = joined.classes;
     claim.tolerance = 2 * 0x1p-27 * 4 * 3;  // of the chunks, with classes of greater distances
     EXPECT_TRUE(prove(joined.points, claim).maximal);
-    const Judge judge(joined, request.classes, claim.radius);
-    EXPECT_EQ(judge.conflicts(), 0U);
-    EXPECT_EQ(judge.gaps(random, all, 3000), 0U);
+    Request whole = request;
+    whole.domain = all;
+    const judge::Judge judge(whole, joined.points, joined.classes, set_size);
+    EXPECT_EQ(judge.fault(), "");
+    EXPECT_LE(judge.largest_gap(random).room, *claim.tolerance);
 }
 
 TEST(ChunkAfterChunk, MakesOneMaximalSetInAnyOrder) {
@@ -153,11 +104,11 @@ TEST(ChunkAfterChunk, MakesOneMaximalSetInAnyOrder) {
 }
 
 TEST(ChunkAfterChunk, MakesOneMaximalSetOfClasses) {
-    for (const std::uint64_t seed : {1U, 2U, 3U}) expect_one_set(tests::chunk_of_classes(), seed);
+    for (const std::uint64_t seed : {1U, 2U, 3U}) expect_one_set(chunk_of_classes(), seed);
 }
 
 TEST(ChunkAfterChunk, NeedsOnlyThePointsWithinTheGreatestDistance) {
-    for (const Request& request : {uniform(0.05), tests::chunk_of_classes()}) {
+    for (const Request& request : {uniform(0.05), chunk_of_classes()}) {
         Random random(3);
         Request first = request;
         first.domain = {1, 1, Boundary::box, -1, 0};
@@ -317,46 +268,54 @@ TEST_F(AChunk, RefusesNeighboursThatAreTooCloseToEachOther) {
               std::string::npos);
 }
 
-// Random domains at random corners, radii from a hundredth of a side to more than a diagonal, with
-// masks and borders.
-TEST(RandomChunks, AreProvenAndEqualTheReference) {
-    Random random(20111);
-    const auto in = [&](double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(random);
-    };
-    for (std::uint32_t i = 0; i < 300; ++i) {
-        Request request = uniform(0.1);
-        Domain& domain = request.domain;
-        domain.width = in(0.3, 1);
-        domain.height = in(0.3, 1);
-        const double diagonal = std::hypot(domain.width, domain.height);
-        request.radius = std::exp(in(std::log(0.02), std::log(diagonal)));
-        if (i % 3 == 0) domain.x0 = in(-1e4, 1e4);
-        if (i % 3 == 0) domain.y0 = in(-1e4, 1e4);
-        if (i % 4 == 0) request.border = in(0, 0.1);
-        const Mask mask = i % 2 == 0 ? tests::noise_mask(1 + i % 7, 1 + i % 5, random())
-                                     : tests::chess_mask(1 + i % 90, 2 + i % 70);
-        if (i % 5 < 2) request.mask = &mask;
-        // The ring around the domain, filled at the same radius.
-        Request ring = uniform(*request.radius);
-        ring.domain = {domain.width + 1, domain.height + 1, Boundary::box, domain.x0 - 0.5,
-                       domain.y0 - 0.5};
-        ring.seed = random();
-        std::vector<Point> keep = sample(ring).points;
-        std::erase_if(keep, [&](Point p) { return domain.holds(p) || random() % 3 == 0; });
-        request.keep = keep;
-        request.seed = random();
-        const Result set = sample(request);
-        const Proof proof = proof_of(request, set);
-        EXPECT_TRUE(proof.kept && (proof.covered || set.points.size() + keep.size() == 0))
-            << i << " of radius " << *request.radius << ", " << keep.size() << " kept; gap "
-            << proof.largest_gap_distance - proof.largest_gap_limit;
-        Request slowly = request;
-        slowly.place.backend = "reference";
-        if (i % 4 == 1) {
-            EXPECT_EQ(sample(slowly).points, set.points) << i;
-        }
+// The widest class keeps its border from the edges of the request's domain, wherever the points
+// outside are.
+TEST(ChunksOfClasses, MeasureBordersFromTheirOwnEdges) {
+    Request request = chunk_of_classes();
+    request.classes.borders = {0.2, 0.1, 0};
+    const std::vector<Point> keep{{-0.01, 0.5}, {0.5, 1.1}};
+    const std::vector<std::uint8_t> keep_classes{2, 0};
+    request.keep = keep;
+    request.keep_classes = keep_classes;
+    const Result set = sample(request);
+    std::array<double, 3> least{1, 1, 1};
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        const Point at = set.points[i];
+        double& own = least[set.classes[i]];
+        own = std::min({own, at.x, at.y, 1 - at.x, 1 - at.y});
     }
+    for (std::size_t kind = 0; kind < 3; ++kind) {
+        EXPECT_GE(least[kind], request.classes.borders[kind]) << kind;
+        EXPECT_LT(least[kind], request.classes.borders[kind] + 0.02) << kind;
+    }
+}
+
+// The domain, or a pixel of its mask, would have no unit of the grid that it shares with the points
+// outside.
+TEST(ChunksOfClasses, RefuseDistancesFarBeyondTheDomain) {
+    const auto refusal = [](double far, const Mask* mask) {
+        Request request;
+        request.classes.names = {"trees", "grass"};
+        request.classes.distances = {2 * far, far, far, far / 1000};
+        request.border = 0.3;
+        request.mask = mask;
+        const std::vector<Point> keep{{-far, 0.5}};
+        const std::vector<std::uint8_t> keep_classes{0};
+        request.keep = keep;
+        request.keep_classes = keep_classes;
+        return tests::refusal_of([&] { sample(request); });
+    };
+    const std::string begin = " outside: is within the greatest distance, but with it the domain ";
+    const std::string end =
+        " long: 2^20 times its shorter side, and 2^30 pixels of a mask or of "
+        "polygons";
+    EXPECT_EQ(refusal(1e6, nullptr), "accepted");
+    EXPECT_EQ(refusal(1e9, nullptr), "keep a point 1e+09" + begin + "may be at most 1048576" + end);
+    EXPECT_EQ(refusal(1e10, nullptr),
+              "keep a point 1e+10" + begin + "may be at most 1048576" + end);
+    const Mask fine{65536, 1, std::vector<std::uint8_t>(65536, 1)};
+    EXPECT_EQ(refusal(1e4, &fine), "accepted");
+    EXPECT_EQ(refusal(1e5, &fine), "keep a point 1e+05" + begin + "may be at most 16384" + end);
 }
 
 }  // namespace chunks_test

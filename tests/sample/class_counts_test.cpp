@@ -1,5 +1,5 @@
-// Numbers of points of classes: exact, at the beginning of the same order, on every backend; the
-// other classes are full; proofs and refusals.
+// Numbers of points of classes: at the beginning of the same order; proofs and refusals. That they
+// are exact, on every backend, and the other classes full, is judged by hostile.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 #include <lacuna/many.h>
@@ -12,9 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "backends/available.h"
-#include "backends/radius_field_requests.h"
-#include "fields.h"
 #include "refusal.h"
 
 namespace {
@@ -41,17 +38,6 @@ void expect_proven(const Request& request, const Result& set) {
     EXPECT_TRUE(proof.kept && proof.covered && proof.maximal);
 }
 
-TEST(CountsOfClasses, AreExactAndTheOtherClassesFull) {
-    Request request = wood();
-    request.classes.counts = {60, {}, {}};
-    for (request.seed = 0; request.seed < 20; ++request.seed) {
-        const Result set = sample(request);
-        ASSERT_EQ(points_of(kTrees, set), 60U);
-        ASSERT_TRUE(set.maximal);
-        expect_proven(request, set);
-    }
-}
-
 TEST(CountsOfClasses, ComeFirstAsIfTheOthersWereNotThere) {
     Request request = wood();
     request.classes.counts = {{}, 60, {}};
@@ -65,42 +51,6 @@ TEST(CountsOfClasses, ComeFirstAsIfTheOthersWereNotThere) {
     EXPECT_GT(points_of(kTrees, set), 5U);
     EXPECT_GT(points_of(kGrass, set), 500U);
 }
-
-class CountsOfClassesOn : public tests::OnBackend {};
-
-TEST_P(CountsOfClassesOn, EveryBackendAreThoseOfTheReference) {
-    const Field field = tests::noise_field(6, 5, 3);
-    const Mask mask = tests::noise_mask(4, 4, 8);
-    const std::vector<Point> keep{{0.5, 0.5}, {-0.01, 0.3}, {0.8, 0.2}};
-    const std::vector<std::uint8_t> keep_classes{kTrees, kTrees, kBushes};
-    for (const int kind : {0, 1, 2, 3}) {
-        SCOPED_TRACE(kind);
-        Request request = wood();
-        request.classes.counts = {8, 15, {}};
-        if (kind == 1) request.field = &field;
-        if (kind == 2) request.classes.masks = {nullptr, &mask, nullptr};
-        if (kind == 3) {
-            request.keep = keep;
-            request.keep_classes = keep_classes;
-        } else {
-            request.domain.boundary = Boundary::torus;
-        }
-        request.place.backend = "reference";
-        const Result expected = sample(request);
-        EXPECT_EQ(points_of(kTrees, expected), 8U);
-        EXPECT_EQ(points_of(kBushes, expected), 15U);
-        expect_proven(request, expected);
-        request.place.backend = GetParam();
-        const Result set = sample(request);
-        EXPECT_EQ(set.points, expected.points);
-        EXPECT_EQ(set.classes, expected.classes);
-        EXPECT_EQ(set.draws, expected.draws);
-        EXPECT_EQ(set.rounds, expected.rounds);
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Parallel, CountsOfClassesOn, tests::kParallelBackends,
-                         tests::name_of_parameter);
 
 TEST(CountsOfClasses, OfAllClassesLeaveRoom) {
     Request request = wood();
@@ -153,18 +103,6 @@ TEST(CountsOfClasses, BesideAClassThatIsNotDrawnLeaveNothingMaximal) {
     Claim claim = claim_of(request, set);
     claim.distances_only = false;
     EXPECT_FALSE(prove(set.points, claim).maximal);
-}
-
-TEST(CountsOfClasses, HoldForEachSeed) {
-    Request request = wood();
-    request.classes.counts = {9, {}, {}};
-    const std::vector<std::uint64_t> seeds{1, 2, 3, 4};
-    std::size_t sets = 0;
-    sample_many(request, seeds, [&](std::uint64_t, Result set) {
-        EXPECT_EQ(points_of(kTrees, set), 9U);
-        ++sets;
-    });
-    EXPECT_EQ(sets, seeds.size());
 }
 
 TEST(CountsOfClasses, AreProvenAndRefuted) {

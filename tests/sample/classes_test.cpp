@@ -1,5 +1,5 @@
-// Classes of points, seen from outside: distances and room in double, by class_requests.h
-// and by prove(); what is kept, limited and counted; refusals in one line.
+// Classes of points, seen from outside: what is kept, limited and counted; refusals in one line.
+// Distances and room are judged by hostile.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 #include <lacuna/many.h>
@@ -11,73 +11,28 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <random>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "backends/radius_field_requests.h"
-#include "plan/sheets.h"
+#include "judge/judge.h"
 #include "refusal.h"
-#include "sample/class_requests.h"
 
 namespace {
 
 using namespace lacuna;
-using tests::FieldRequest;
-using tests::hostile_request;
-using tests::Random;
-using tests::request_of;
-using Judge = tests::JudgeOfClasses;
 
-TEST(Classes, KeepTheirDistancesAndLeaveNoRoomWhateverTheyAre) {
-    Random random(43);
-    int refuted = 0, changed = 0, with_places = 0;
-    for (int set = 0; set < 1200; ++set) {
-        const FieldRequest made = hostile_request(random);
-        SCOPED_TRACE("set " + std::to_string(set));
-        const Result result = sample(made.request);
-        ASSERT_TRUE(result.maximal);
-        ASSERT_EQ(result.classes.size(), result.points.size());
-        with_places += has_own_places(made.request.classes);
-        if (result.points.empty()) continue;
-        const Judge judge(made.request, result);
-        ASSERT_EQ(judge.astray(), "");
-        ASSERT_EQ(judge.conflict(), "");
-        ASSERT_EQ(judge.gaps(random, 100), 0);
-        Claim claim = claim_of(made.request, result);
-        const Proof proof = prove(result.points, claim);
-        ASSERT_TRUE(proof.kept) << proof.first << " and " << proof.second;
-        ASSERT_TRUE(proof.covered) << "class " << proof.largest_gap_class << " at "
-                                   << proof.largest_gap.x << ", " << proof.largest_gap.y;
-
-        // One point less leaves room for it.
-        const std::size_t taken = random() % result.points.size();
-        Result less = result;
-        less.points.erase(less.points.begin() + static_cast<std::ptrdiff_t>(taken));
-        less.classes.erase(less.classes.begin() + static_cast<std::ptrdiff_t>(taken));
-        claim.class_of_points = less.classes;
-        const Proof without = prove(less.points, claim);
-        ASSERT_FALSE(without.covered);
-        ASSERT_TRUE(
-            Judge(made.request, less).has_room(result.points[taken], result.classes[taken], 0));
-        ++refuted;
-
-        // A point of another class is too close to some point, or leaves room, unless the classes
-        // keep the same distances.
-        Result other = result;
-        other.classes[taken] = static_cast<std::uint8_t>((result.classes[taken] + 1U) %
-                                                         made.request.classes.names.size());
-        claim.class_of_points = other.classes;
-        const Proof of_other = prove(result.points, claim);
-        const Judge of_others(made.request, other);
-        ASSERT_EQ(!of_other.kept, of_others.conflict() != "" || of_others.astray() != "");
-        ASSERT_EQ(of_other.forbidden.has_value(), of_others.astray() != "");
-        changed += !of_other.kept || !of_other.covered;
-    }
-    EXPECT_GE(refuted, 1190);
-    EXPECT_GE(changed, 1000);
-    EXPECT_GE(with_places, 300);
+Request request_of(std::vector<double> distances, std::vector<double> weights = {}) {
+    Request request;
+    const auto count = static_cast<std::size_t>(std::lround(std::sqrt(distances.size())));
+    for (std::size_t i = 0; i < count; ++i)
+        request.classes.names.push_back("class-" + std::to_string(i));
+    request.classes.distances = std::move(distances);
+    request.classes.weights = std::move(weights);
+    request.place.backend = "cpu";
+    return request;
 }
 
 TEST(Classes, KeepByUnionTheRadiusOfEachAndTheDistanceOfAll) {
@@ -179,81 +134,13 @@ TEST(Classes, RefuseKeptPointsWithinTheirBorderAndOffTheirMask) {
               "keep point 0 at (0.1, 0.5): must lie where the mask is not 0");
 }
 
-TEST(Classes, HaveACountWithinTheirBorders) {
-    Request request = request_of(distances_by_sum(std::vector{3.0, 1.0}));
-    request.classes.borders = {0.3, 0};
-    request.count = 800;
-    const Result result = sample(request);
-    ASSERT_EQ(result.points.size(), 800U);
-    Claim claim = claim_of(request, result);
-    claim.distances_only = true;
-    EXPECT_TRUE(prove(result.points, claim).kept);
-}
-
-TEST(Classes, AreTheFirstPointsOfTheSameSetWithALimit) {
-    Request request = request_of(distances_by_sum(std::vector{0.02, 0.008}));
-    const Result all = sample(request);
-    request.limit = 300;
-    const Result some = sample(request);
-    ASSERT_EQ(some.points.size(), 300U);
-    EXPECT_FALSE(some.maximal);
-    EXPECT_TRUE(std::equal(some.points.begin(), some.points.end(), all.points.begin()));
-    EXPECT_TRUE(std::equal(some.classes.begin(), some.classes.end(), all.classes.begin()));
-}
-
-TEST(Classes, FillTheSpaceAroundKeptPointsOfTheirClass) {
-    Request request = request_of(distances_by_union(std::vector{0.06, 0.02}));
-    request.domain.boundary = Boundary::torus;
-    Result first = sample(request);
-    first.points.resize(100);
-    first.classes.resize(100);
-    Request more = request;
-    more.seed = 9;
-    more.keep = first.points;
-    more.keep_classes = first.classes;
-    const Result result = sample(more);
-    EXPECT_TRUE(std::equal(first.points.begin(), first.points.end(), result.points.begin()));
-    EXPECT_TRUE(std::equal(first.classes.begin(), first.classes.end(), result.classes.begin()));
-    EXPECT_TRUE(prove(result.points, claim_of(more, result)).maximal);
-    EXPECT_EQ(Judge(more, result).conflict(), "");
-}
-
-TEST(Classes, HaveACountAtDistancesInProportion) {
-    Request request = request_of(distances_by_sum(std::vector{5.0, 1.0}));
-    request.count = 2000;
-    const Result result = sample(request);
-    ASSERT_EQ(result.points.size(), 2000U);
-    ASSERT_EQ(result.classes.size(), 2000U);
-    Claim claim = claim_of(request, result);
-    claim.distances_only = true;
-    EXPECT_TRUE(prove(result.points, claim).kept);
-    // Two small points keep 2, which is the least distance, and two large ones 10.
-    for (double& distance : request.classes.distances) distance *= result.radius / 2;
-    EXPECT_EQ(Judge(request, result).conflict(), "");
-}
-
-TEST(Classes, AreProgressive) {
-    Request request = request_of(distances_by_union(std::vector{0.06, 0.02}));
-    request.domain.boundary = Boundary::torus;
-    request.progressive = true;
-    const Result result = sample(request);
-    ASSERT_GE(result.levels.size(), 9U);
-    ASSERT_EQ(result.classes.size(), result.points.size());
-    for (const Level& level : result.levels) {
-        Claim claim = claim_of(request, result);
-        claim.radius = level.size;
-        claim.class_of_points = std::span(result.classes).first(level.points);
-        EXPECT_TRUE(prove(std::span(result.points).first(level.points), claim).maximal)
-            << level.points;
-    }
-}
-
 // Both sets had a gap when factors were multiples of 2^-20.
 TEST(Classes, OfNearlyEqualDistancesHaveNoGap) {
     const auto expect_maximal = [](const Request& request) {
         const Result result = sample(request);
         std::vector<Level> levels = result.levels;
-        if (levels.empty()) levels.push_back({.size = result.radius, .points = result.points.size()});
+        if (levels.empty())
+            levels.push_back({.size = result.radius, .points = result.points.size()});
         for (const Level& level : levels) {
             Claim claim = claim_of(request, result);
             claim.radius = level.size;
@@ -287,18 +174,6 @@ TEST(Classes, OfNearlyEqualDistancesHaveNoGap) {
     kept.keep = points;
     kept.keep_classes = classes;
     expect_maximal(kept);
-}
-
-TEST(Classes, AreTheSameInABatchOfSeeds) {
-    Request request = request_of(distances_by_sum(std::vector{0.05, 0.02}));
-    const std::vector<std::uint64_t> seeds{3, 4, 5};
-    sample_many(request, seeds, [&](std::uint64_t seed, const Result& set) {
-        Request one = request;
-        one.seed = seed;
-        const Result expected = sample(one);
-        EXPECT_EQ(set.points, expected.points);
-        EXPECT_EQ(set.classes, expected.classes);
-    });
 }
 
 TEST(Classes, AreRefusedInOneLine) {

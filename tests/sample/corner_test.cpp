@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/plane.h"
 #include "refusal.h"
 
 namespace lacuna {
@@ -131,20 +132,6 @@ TEST_F(Corner, MovesEveryKindOfSet) {
         }
 }
 
-// The least distance of two points, as anybody computes it from the coordinates.
-double least_by_hand(const std::vector<Point>& points, const Domain& domain) {
-    double least = kInfinity;
-    const auto along = [&](double a, double b, double side) {
-        const double straight = std::abs(a - b);
-        return domain.wraps() ? std::min(straight, side - straight) : straight;
-    };
-    for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            least = std::min(least, std::hypot(along(points[i].x, points[j].x, domain.width),
-                                               along(points[i].y, points[j].y, domain.height)));
-    return least;
-}
-
 TEST_F(Corner, OfAnyDigitsKeepsEveryPromise) {
     for (const Boundary boundary : {Boundary::box, Boundary::torus})
         for (const auto& [width, height, x0, y0] :
@@ -165,7 +152,8 @@ TEST_F(Corner, OfAnyDigitsKeepsEveryPromise) {
                 request.seed = static_cast<std::uint64_t>(i);
                 request.radius = std::min(width, height) / (4 + i * 0.173);
                 const Result made = sample(request);
-                EXPECT_GE(least_by_hand(made.points, request.domain), *request.radius)
+                EXPECT_GE(judge::closest_pair(request.domain, made.points).distance,
+                          *request.radius)
                     << x0 << ", " << y0 << ", radius " << *request.radius;
                 for (const Point& point : made.points) {
                     EXPECT_TRUE(x0 <= point.x && point.x < x0 + width);

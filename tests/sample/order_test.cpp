@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/judge.h"
 #include "refusal.h"
 
 namespace lacuna {
@@ -40,41 +41,21 @@ bool is_permutation(std::vector<std::uint32_t> order, std::size_t count) {
     return order == all;
 }
 
-double distance(Point a, Point b, bool wraps) {
-    double dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y);
-    if (wraps) {
-        dx = std::min(dx, 1 - dx);
-        dy = std::min(dy, 1 - dy);
-    }
-    return std::sqrt(dx * dx + dy * dy);
-}
-
-// The least distance of each prefix, over that of a hexagonal lattice with as many points.
-std::vector<double> relative_distances(std::span<const Point> points) {
-    std::vector<double> relative;
-    double least = INFINITY;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        for (std::size_t k = 0; k < i; ++k)
-            least = std::min(least, distance(points[i], points[k], true));
-        relative.push_back(least * std::sqrt(std::sqrt(3.0) / 2 * static_cast<double>(i + 1)));
-    }
-    return relative;
-}
-
 double mean_from_16(std::span<const double> values) {
-    return std::accumulate(values.begin() + 15, values.end(), 0.0) /
-           static_cast<double>(values.size() - 15);
+    return std::accumulate(values.begin() + 14, values.end(), 0.0) /
+           static_cast<double>(values.size() - 14);
 }
 
 TEST(AnOrder, IsEvenAtEveryPrefix) {
     const std::vector<Point> points = maximal_set(2000);
     const auto order = progressive_order(points, nullptr, kTorus);
     ASSERT_TRUE(is_permutation(order, points.size()));
-    const std::vector<double> relative = relative_distances(in_order(points, order));
-    EXPECT_GE(*std::min_element(relative.begin() + 15, relative.end()), 0.55);
+    const std::vector<double> relative =
+        judge::relative_distances(kTorus.domain, in_order(points, order));
+    EXPECT_GE(*std::min_element(relative.begin() + 14, relative.end()), 0.55);
     EXPECT_GE(mean_from_16(relative), 0.64);
     // As admitted, the last points are as near as the first.
-    EXPECT_LE(mean_from_16(relative_distances(points)), 0.55);
+    EXPECT_LE(mean_from_16(judge::relative_distances(kTorus.domain, points)), 0.55);
 }
 
 // All pairs are asked. A level takes each point that is at least the level's size away from all
@@ -86,21 +67,16 @@ TEST(AnOrder, TakesPointsAtDistancesThatShrink) {
     for (const Boundary boundary : {Boundary::box, Boundary::torus})
         for (const Field* given : {static_cast<const Field*>(nullptr), &std::as_const(field)}) {
             const std::vector<Point> points = maximal_set(600);
-            const bool wraps = boundary == Boundary::torus;
-            const auto radius = [&](Point p) {
-                if (given == nullptr) return 1.0;
-                const auto column = static_cast<std::size_t>(p.x * 4);
-                const auto row = 3 - static_cast<std::size_t>(p.y * 4);
-                return 1 / std::sqrt(field.importance[row * 4 + column]);
-            };
+            const Domain domain{1, 1, boundary};
             const auto ordered =
-                in_order(points, progressive_order(points, given, {.domain = {1, 1, boundary}}));
+                in_order(points, progressive_order(points, given, {.domain = domain}));
+            Request request{.domain = domain};
+            request.field = given;
+            const judge::Judge judge(request, ordered, {}, 1);
             double least = INFINITY;
             for (std::size_t i = 1; i < ordered.size(); ++i) {
                 double own = INFINITY;
-                for (std::size_t k = 0; k < i; ++k)
-                    own = std::min(own, distance(ordered[i], ordered[k], wraps) /
-                                            std::min(radius(ordered[i]), radius(ordered[k])));
+                for (std::size_t k = 0; k < i; ++k) own = std::min(own, judge.share_of(i, k));
                 // The first level, of about 16 points, takes points at any distance over its own.
                 if (i > 40) {
                     EXPECT_LE(own, least * std::exp2(1.0 / 32) * (1 + 1e-9)) << i;

@@ -6,19 +6,19 @@
 #include <string>
 #include <vector>
 
-#include "verify/field_sets.h"
+#include "verify/on_field.h"
 
 namespace lacuna::verify {
 namespace field_known_test {
 
 // The unit square, whose left half has one radius and whose right half has another.
-FieldCase halves(double left, double right, bool torus = false) {
+OnField halves(double left, double right, Boundary boundary = Boundary::box) {
     const auto importance = [](double radius) { return radius == 0 ? 0 : 1 / (radius * radius); };
-    return {"halves", {2, 1, {importance(left), importance(right)}}, 1, {1, 1, torus}};
+    return {{2, 1, {importance(left), importance(right)}}, 1, {1, 1, boundary}};
 }
 
 TEST(ALargeRadius, CoversASpotOfASmallOneNoFartherThanTheSmallOne) {
-    const FieldCase made = halves(2, 0.1);
+    const OnField made = halves(2, 0.1);
     const std::vector<Point> points{{0.25, 0.5}};
     const Proof proof = prove(points, made.claim());
     EXPECT_TRUE(proof.kept);
@@ -30,7 +30,7 @@ TEST(ALargeRadius, CoversASpotOfASmallOneNoFartherThanTheSmallOne) {
 }
 
 TEST(ASmallRadius, CoversASpotOfALargeOneNoFartherThanItself) {
-    const FieldCase made = halves(2, 0.1);
+    const OnField made = halves(2, 0.1);
     const std::vector<Point> points{{0.75, 0.5}};
     const Proof proof = prove(points, made.claim());
     EXPECT_FALSE(proof.covered);
@@ -40,7 +40,7 @@ TEST(ASmallRadius, CoversASpotOfALargeOneNoFartherThanItself) {
 }
 
 TEST(TwoPoints, KeepTheSmallerOfTheirRadii) {
-    const FieldCase made = halves(0.2, 0.1);
+    const OnField made = halves(0.2, 0.1);
     const auto is_kept = [&](Point a, Point b) {
         return prove(std::vector<Point>{a, b}, made.claim()).kept;
     };
@@ -49,13 +49,13 @@ TEST(TwoPoints, KeepTheSmallerOfTheirRadii) {
     EXPECT_FALSE(is_kept({0.2, 0.5}, {0.39, 0.5}));
     EXPECT_TRUE(is_kept({0.2, 0.5}, {0.41, 0.5}));
     // The same around the edges of a torus.
-    const FieldCase wrapped = halves(0.2, 0.1, true);
+    const OnField wrapped = halves(0.2, 0.1, Boundary::torus);
     EXPECT_FALSE(prove(std::vector<Point>{{0.04, 0.5}, {0.95, 0.5}}, wrapped.claim()).kept);
     EXPECT_TRUE(prove(std::vector<Point>{{0.06, 0.5}, {0.95, 0.5}}, wrapped.claim()).kept);
 }
 
 TEST(TheClosestPair, IsTheOneOfTheLeastDistanceForItsLimit) {
-    const FieldCase made = halves(0.2, 0.02);
+    const OnField made = halves(0.2, 0.02);
     const std::vector<Point> points{{0.8, 0.5}, {0.83, 0.5}, {0.1, 0.1}, {0.29, 0.1}};
     const Proof proof = prove(points, made.claim());
     EXPECT_FALSE(proof.kept);
@@ -66,14 +66,14 @@ TEST(TheClosestPair, IsTheOneOfTheLeastDistanceForItsLimit) {
 }
 
 TEST(APointOnABorder, MayBeOnEitherPixel) {
-    const FieldCase made = halves(0.2, 0.1);
+    const OnField made = halves(0.2, 0.1);
     for (const double x : {0.5, 0.5 + 0x1p-29, 0.5 - 0x1p-29}) {
         // For distances the point has the smaller radius, even from a point of the larger one.
         EXPECT_TRUE(prove(std::vector<Point>{{x, 0.5}, {0.39, 0.5}}, made.claim()).kept);
         EXPECT_FALSE(prove(std::vector<Point>{{x, 0.5}, {0.41, 0.5}}, made.claim()).kept);
     }
     // For covering the point has the larger radius: a corner of the left half is 0.707 from it.
-    const FieldCase wide = halves(0.8, 0.6);
+    const OnField wide = halves(0.8, 0.6);
     EXPECT_TRUE(prove(std::vector<Point>{{0.5 - 0x1p-20, 0.5}, {0.99, 0}, {0.99, 1}}, wide.claim())
                     .covered);
     EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}, {0.99, 0}, {0.99, 1}}, wide.claim()).covered);
@@ -82,7 +82,7 @@ TEST(APointOnABorder, MayBeOnEitherPixel) {
 }
 
 TEST(APixelWithoutImportance, MustHaveNoPointAndNeedsNone) {
-    const FieldCase made = halves(2, 0);
+    const OnField made = halves(2, 0);
     EXPECT_TRUE(prove(std::vector<Point>{{0.25, 0.5}}, made.claim()).maximal);
     EXPECT_FALSE(prove(std::vector<Point>{}, made.claim()).covered);
     const Proof proof = prove(std::vector<Point>{{0.25, 0.5}, {0.75, 0.5}}, made.claim());
@@ -93,17 +93,18 @@ TEST(APixelWithoutImportance, MustHaveNoPointAndNeedsNone) {
     EXPECT_EQ(prove(std::vector<Point>{{0.5 + 0x1p-27, 0.5}}, made.claim()).forbidden, 0U);
     EXPECT_EQ(prove(std::vector<Point>{{0.75, 2}}, made.claim()).outside, 0U);
     // On a torus the right half ends where the left half begins.
-    EXPECT_TRUE(prove(std::vector<Point>{{1 - 0x1p-29, 0.5}}, halves(2, 0, true).claim()).maximal);
+    EXPECT_TRUE(prove(std::vector<Point>{{1 - 0x1p-29, 0.5}}, halves(2, 0, Boundary::torus).claim())
+                    .maximal);
 }
 
 TEST(AFieldWithoutImportance, IsFullFromTheStart) {
-    const FieldCase made = halves(0, 0);
+    const OnField made = halves(0, 0);
     EXPECT_TRUE(prove(std::vector<Point>{}, made.claim()).maximal);
     EXPECT_EQ(prove(std::vector<Point>{{0.5, 0.5}}, made.claim()).forbidden, 0U);
 }
 
 TEST(AFieldsRows, LieFromTheTopDown) {
-    const FieldCase made{"rows", {1, 2, {0, 1}}, 2, {1, 3, false}};
+    const OnField made{{1, 2, {0, 1}}, 2, {1, 3}};
     EXPECT_EQ(prove(std::vector<Point>{{0.5, 2.5}}, made.claim()).forbidden, 0U);
     EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, made.claim()).maximal);
 }
@@ -166,7 +167,7 @@ TEST(AClaim, WithAFieldThatMakesNoSenseIsABadRequestThatNamesTheOption) {
 }
 
 TEST(ATolerance, OverAPercentOfTheLeastRadiusProvesNoSetMaximal) {
-    const FieldCase made = halves(2, 1.5);
+    const OnField made = halves(2, 1.5);
     Claim claim = made.claim();
     claim.tolerance = 0.014;
     EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);

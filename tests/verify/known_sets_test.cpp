@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "judge/judge.h"
 #include "verify/sets.h"
 
 namespace lacuna::verify {
@@ -54,7 +55,8 @@ TEST(AHexagonalLattice, OfFlatTrianglesLeavesTheGapsOfTheirCircumcirclesToo) {
     const std::vector<Point> points = hexagonal_lattice(10, 20, row);
     // The triangles are so flat that other rows are nearer to their circumcentres. The largest gaps
     // have an x of the lattice, and are as far from a point above as from the two beside.
-    const double gap = farthest_of_raster({10, 40 * row, true}, points, 600);
+    const Request torus{.domain = {10, 40 * row, Boundary::torus}};
+    const double gap = judge::Judge(torus, points, {}, 0).largest_gap_of_raster(600).room;
     const Proof proof = check(points, 10, 40 * row, true, 0.5, 0);
     EXPECT_GE(proof.largest_gap_distance, gap - 12 * kExactly);
     EXPECT_LE(proof.largest_gap_distance, gap + 12.0 / 600);

@@ -5,6 +5,8 @@
 #include <atomic>
 #include <vector>
 
+#include "judge/plane.h"
+
 namespace {
 
 using namespace lacuna;
@@ -22,6 +24,25 @@ TEST(Prove, OfAMaximalSetOfTheSamplersFindsAllThatIsPromised) {
     EXPECT_TRUE(proof.kept && proof.covered && proof.maximal);
     EXPECT_GE(proof.least_distance, 0.05);
     EXPECT_LE(proof.largest_gap_distance, 0.05 + 0x1p-28);
+}
+
+TEST(Prove, OfALargeMaximalSetHoldsAndWithoutOneOfItsPointsDoesNot) {
+    Request request;
+    request.radius = 0.001;
+    request.domain.boundary = Boundary::torus;
+    request.place.backend = "cpu";
+    std::vector<Point> points = sample(request).points;
+    EXPECT_GT(points.size(), 690'000U);
+    Claim claim;
+    claim.radius = 0.001;
+    claim.domain = request.domain;
+    EXPECT_TRUE(prove(points, claim).maximal);
+    const Point gone = points[314'159];
+    points.erase(points.begin() + 314'159);
+    const Proof proof = prove(points, claim);
+    EXPECT_TRUE(proof.kept);
+    EXPECT_FALSE(proof.covered);
+    EXPECT_LT(judge::distance(request.domain, proof.largest_gap, gone), 0.001);
 }
 
 TEST(Prove, OfASetWithAHoleNamesTheSpot) {

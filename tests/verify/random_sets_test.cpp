@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "judge/judge.h"
+#include "verify/closest.h"
 #include "verify/largest_gap.h"
 #include "verify/sets.h"
 
@@ -18,7 +20,7 @@ namespace lacuna::verify {
 namespace {
 
 // Points on a grid of `grid` steps. Only a coarse grid makes ties.
-std::vector<Point> draw_points(const Domain& domain, int grid) {
+std::vector<Point> draw_points(const lacuna::Domain& domain, int grid) {
     const auto coordinates = rc::gen::pair(rc::gen::inRange(0, grid), rc::gen::inRange(0, grid));
     const auto cells = *rc::gen::container<std::vector<std::pair<int, int>>>(coordinates);
     std::vector<Point> points;
@@ -27,20 +29,27 @@ std::vector<Point> draw_points(const Domain& domain, int grid) {
     return points;
 }
 
-Domain draw_domain() {
+lacuna::Domain draw_domain() {
     const double width = *rc::gen::element(1.0, 2.5, 0.01, 1e30);
-    return {width, width * *rc::gen::element(1.0, 0.3, 7.0), *rc::gen::arbitrary<bool>()};
+    return {width, width * *rc::gen::element(1.0, 0.3, 7.0),
+            *rc::gen::element(Boundary::box, Boundary::torus)};
+}
+
+// The largest distance to the nearest point over a raster of (steps + 1)^2 spots. It is at most the
+// size of the largest gap, and smaller by at most half a diagonal of the raster's squares.
+double farthest_of_raster(const lacuna::Domain& domain, std::span<const Point> points, int steps) {
+    return judge::Judge({.domain = domain}, points, {}, 0).largest_gap_of_raster(steps).room;
 }
 
 RC_GTEST_PROP(TheClosestPair, IsThatOfAllPairs, ()) {
-    const Domain domain = draw_domain();
+    const lacuna::Domain domain = draw_domain();
     const std::vector<Point> points = draw_points(domain, *rc::gen::element(5, 1000, 1 << 30));
-    const Pair found = closest_pair(domain, points);
-    const Pair expected = closest_of_all_pairs(domain, points);
+    const Pair found = closest_pair(domain_of(domain), points);
+    const judge::Pair expected = judge::closest_pair(domain, points);
     RC_ASSERT(found.distance == expected.distance);
     if (points.size() < 2) return;
     RC_ASSERT(found.first < found.second);
-    RC_ASSERT(domain.distance(points[found.first], points[found.second]) == found.distance);
+    RC_ASSERT(judge::distance(domain, points[found.first], points[found.second]) == found.distance);
     if (found.distance == 0) return;
     RC_ASSERT(found.first == expected.first);
     RC_ASSERT(found.second == expected.second);
@@ -48,13 +57,13 @@ RC_GTEST_PROP(TheClosestPair, IsThatOfAllPairs, ()) {
 
 RC_GTEST_PROP(TheLargestGap, IsNoNearerThanAnyOfARasterAndAsFarAsItSays, ()) {
     constexpr int kSteps = 40;
-    const Domain domain = draw_domain();
+    const lacuna::Domain domain = draw_domain();
     std::vector<Point> points = draw_points(domain, *rc::gen::element(5, 1000, 1 << 30));
     points.push_back({0, 0});
     const double limit = *rc::gen::element(0.05, 0.3, 1.0) * domain.longer_side();
-    const Gap spot = largest_gap(domain, points, limit);
+    const Gap spot = largest_gap(domain_of(domain), points, limit);
 
-    RC_ASSERT(spot.distance == distance_to_nearest(domain, points, spot.at));
+    RC_ASSERT(spot.distance == judge::distance_to_nearest(domain, points, spot.at));
     const double raster = farthest_of_raster(domain, points, kSteps);
     RC_ASSERT(raster <= spot.distance * (1 + kGapPrecision) + kFinest * domain.longer_side());
     const double half_diagonal = std::hypot(domain.width, domain.height) / kSteps / 2;
@@ -72,8 +81,8 @@ std::vector<Point> random_points(std::size_t count, std::uint64_t seed) {
 TEST(ALargeSet, HasTheClosestPairOfAllPairsAndNoSpotOfARasterIsFarther) {
     const std::vector<Point> points = random_points(4000, 1);
     for (const bool torus : {false, true}) {
-        const Domain domain{1, 1, torus};
-        const Pair expected = closest_of_all_pairs(domain, points);
+        const lacuna::Domain domain{1, 1, torus ? Boundary::torus : Boundary::box};
+        const judge::Pair expected = judge::closest_pair(domain, points);
         const Proof proof = check(points, 1, 1, torus, 0.01, 0);
         EXPECT_EQ(proof.least_distance, expected.distance);
         EXPECT_EQ(proof.first, expected.first);

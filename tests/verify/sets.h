@@ -1,19 +1,12 @@
-// Point sets whose closest pair and largest gap are known, and slow ways to find both.
+// Point sets whose closest pair and largest gap are known.
 #pragma once
 
 #include <lacuna/lacuna.h>
 #include <lacuna/verify.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
-
-#include "verify/closest.h"
-#include "verify/domain.h"
 
 namespace lacuna::verify {
 
@@ -46,35 +39,6 @@ inline Proof check(std::span<const Point> points, double width, double height, b
     claim.domain.boundary = torus ? Boundary::torus : Boundary::box;
     claim.tolerance = tolerance;
     return prove(points, claim);
-}
-
-inline double distance_to_nearest(const Domain& domain, std::span<const Point> points, Point at) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Point& point : points) least = std::min(least, domain.distance(at, point));
-    return least;
-}
-
-// Looks at all pairs, from lower to higher indices.
-inline Pair closest_of_all_pairs(const Domain& domain, std::span<const Point> points) {
-    Pair closest;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::size_t j = i + 1; j < points.size(); ++j)
-            if (const double d = domain.distance(points[i], points[j]); d < closest.distance)
-                closest = {i, j, d};
-    return closest;
-}
-
-// The largest distance to the nearest point, over a raster of (steps + 1)^2 spots that includes
-// edges and corners. It is at most the size of the largest gap, and smaller by at most half a
-// diagonal of the raster's squares.
-inline double farthest_of_raster(const Domain& domain, std::span<const Point> points, int steps) {
-    double farthest = 0;
-    for (int i = 0; i <= steps; ++i)
-        for (int j = 0; j <= steps; ++j)
-            farthest = std::max(farthest, distance_to_nearest(domain, points,
-                                                              {domain.width * i / steps,
-                                                               domain.height * j / steps}));
-    return farthest;
 }
 
 }  // namespace lacuna::verify

@@ -7,7 +7,7 @@
 #include <rapidcheck/gtest.h>
 #include <cmath>
 
-#include "distances.h"
+#include "judge/plane.h"
 #include "plan/make_plan.h"
 #include "portable/distance.h"
 
@@ -47,6 +47,10 @@ bool every_line_is_covered(const Plan& plan, const std::vector<Sample>& samples)
     return true;
 }
 
+double least_distance_of(const Request& request) {
+    return judge::closest_pair(request.domain, sample(request).points).distance;
+}
+
 Request small_request() {
     Request request;
     request.mode = Mode::lines;
@@ -72,8 +76,7 @@ RC_GTEST_PROP(Reference, KeepsItsDistancesAndCoversEveryLine, ()) {
     RC_ASSERT(every_line_is_covered(plan, samples));
 
     const double kept = request.paper2011.snap ? 1 : 1 - 0.5 / *request.paper2011.lines_per_radius;
-    const double least = tests::least_distance(sample(request).points, request.domain.width,
-                                               request.domain.height, plan.period_x != 0);
+    const double least = least_distance_of(request);
     RC_ASSERT(least >= *request.radius * kept);
     if (!request.paper2011.snap) return;
     for (std::size_t i = 0; i < samples.size(); ++i)
@@ -105,8 +108,7 @@ TEST(Reference, KeepsItsDistancesInALargeSet) {
             request.domain.boundary = boundary;
             request.paper2011.snap = snap;
             request.place.backend = "reference";
-            const double least =
-                tests::least_distance(sample(request).points, 1, 1, boundary == Boundary::torus);
+            const double least = least_distance_of(request);
             EXPECT_GE(least, snap ? 0.005 : 0.005 * (1 - 1.0 / 60));
             EXPECT_LT(least, 0.005 * 1.001);
         }
@@ -119,7 +121,7 @@ TEST(Reference, InterpolatedDistancesDoFallBelowTheRadius) {
     request.mode = Mode::lines;
     request.radius = 0.01;
     request.place.backend = "reference";
-    EXPECT_LT(tests::least_distance(sample(request).points, 1, 1, false), 0.00995);
+    EXPECT_LT(least_distance_of(request), 0.00995);
 }
 
 Request request_of(Mode mode, double radius) {
@@ -165,8 +167,7 @@ TEST_P(ReferenceInMode, ACountIsMetExactly) {
                 request.place.backend = "reference";
                 const Result result = sample(request);
                 EXPECT_EQ(result.points.size(), count);
-                const double least =
-                    tests::least_distance(result.points, 1, 1, boundary == Boundary::torus);
+                const double least = judge::closest_pair(request.domain, result.points).distance;
                 EXPECT_GE(least, result.radius);
                 // Not too small: within a tenth of the maximal set's density.
                 if (count > 1000 && (m == 30 || request.mode == Mode::exact)) {
