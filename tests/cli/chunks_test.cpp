@@ -157,8 +157,8 @@ protected:
         write_file(black_, std::string("P5 1 1 255 ") + '\0');
     }
     Outcome made(const Words& options, const Words& outputs) const {
-        Words words = with({"sample", "--radius", "3"}, options);
-        for (const std::string& output : outputs) words = with(words, {"-o", output});
+        Words words = joined({"sample", "--radius", "3"}, options);
+        for (const std::string& output : outputs) words = joined(words, {"-o", output});
         return run(words);
     }
 
@@ -170,21 +170,21 @@ protected:
 
 TEST_F(ChunksOfALake, BesideItAreFull) {
     for (const Words& places : {Words{"--outside", lake_}, Words{"--avoid", lake_ + ":2"}}) {
-        const Outcome outcome = made(with(beside_, places), {csv_});
+        const Outcome outcome = made(joined(beside_, places), {csv_});
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_GT(files::read_points(csv_).size(), 300U);
-        EXPECT_EQ(run(with(with({"verify", csv_, "--radius", "3"}, beside_), places)).exit_code, 0);
+        EXPECT_EQ(run(joined(joined({"verify", csv_, "--radius", "3"}, beside_), places)).exit_code, 0);
     }
 }
 
 TEST_F(ChunksOfALake, WithoutAnOpenPlaceAreEmptyInEveryFormat) {
     const std::string drawn = "has no open place wider than twice the --edge), ";
     for (const auto& [places, told] : std::vector<std::pair<Words, std::string>>{
-             {with(in_, {"--outside", lake_}), drawn},
-             {with(beside_, {"--inside", lake_}), drawn},
-             {with(beside_, {"--near", lake_ + ":2"}), drawn},
-             {with(in_, {"--outside", lake_, "--progressive"}), drawn},
-             {with(in_, {"--mask", black_}), "(the mask is black all over), "}}) {
+             {joined(in_, {"--outside", lake_}), drawn},
+             {joined(beside_, {"--inside", lake_}), drawn},
+             {joined(beside_, {"--near", lake_ + ":2"}), drawn},
+             {joined(in_, {"--outside", lake_, "--progressive"}), drawn},
+             {joined(in_, {"--mask", black_}), "(the mask is black all over), "}}) {
         Words outputs;
         for (const char* const end : {"txt", "csv", "npy", "ply", "json", "svg"})
             outputs.push_back(folder_.path(std::string("a.") + end));
@@ -196,7 +196,7 @@ TEST_F(ChunksOfALake, WithoutAnOpenPlaceAreEmptyInEveryFormat) {
             EXPECT_TRUE(files::read_points(output).empty()) << output;
             Words claim = places;
             claim.erase(std::remove(claim.begin(), claim.end(), "--progressive"), claim.end());
-            const Outcome proof = run(with({"verify", output, "--radius", "3"}, claim));
+            const Outcome proof = run(joined({"verify", output, "--radius", "3"}, claim));
             EXPECT_EQ(proof.exit_code, 0) << proof.out << proof.err;
             expect_has(proof.out, {"none, since points may lie nowhere"});
             // The next chunk keeps what there is: nothing.
@@ -204,29 +204,29 @@ TEST_F(ChunksOfALake, WithoutAnOpenPlaceAreEmptyInEveryFormat) {
         }
         // What is said of an empty set is said, too, where the points go to standard output.
         expect_has(made(places, {"-"}).err, {"0 points ("});
-        const Words counted = with({"sample", "--count", "9"}, places);
+        const Words counted = joined({"sample", "--count", "9"}, places);
         expect_one_error(run(counted), 2, {"--count 9: points may lie nowhere"});
     }
 }
 
 TEST_F(ChunksOfALake, AreEmptyForAClassThatMayLieNowhere) {
-    const Words kinds = with(in_, {"--class", "reed:3", "--class", "tree:4"});
+    const Words kinds = joined(in_, {"--class", "reed:3", "--class", "tree:4"});
     const Outcome some =
-        run(with(with({"sample", "-o", csv_}, kinds), {"--outside", "tree:" + lake_}));
+        run(joined(joined({"sample", "-o", csv_}, kinds), {"--outside", "tree:" + lake_}));
     EXPECT_EQ(some.exit_code, 0) << some.err;
     expect_has(some.err, {"has no open place for tree wider than"});
     EXPECT_EQ(content_of(csv_).find("tree"), std::string::npos);
     EXPECT_GT(files::read_points(csv_).size(), 50U);
-    EXPECT_EQ(run(with(with({"verify", csv_}, kinds), {"--outside", "tree:" + lake_})).exit_code,
+    EXPECT_EQ(run(joined(joined({"verify", csv_}, kinds), {"--outside", "tree:" + lake_})).exit_code,
               0);
-    EXPECT_EQ(run(with(with({"sample", "-o", csv_, "--count", "50"}, kinds),
+    EXPECT_EQ(run(joined(joined({"sample", "-o", csv_, "--count", "50"}, kinds),
                        {"--outside", "tree:" + lake_}))
                   .exit_code,
               0);
     expect_one_error(
-        run(with(with({"sample", "-o", csv_, "--count", "50"}, kinds), {"--outside", lake_})), 2,
+        run(joined(joined({"sample", "-o", csv_, "--count", "50"}, kinds), {"--outside", lake_})), 2,
         {"--count 50: points may lie nowhere"});
-    expect_one_error(run(with(with({"sample", "-o", csv_}, kinds), {"--outside", "tre:" + lake_})),
+    expect_one_error(run(joined(joined({"sample", "-o", csv_}, kinds), {"--outside", "tre:" + lake_})),
                      2, {"tre is not a class"});
 }
 

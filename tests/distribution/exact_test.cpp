@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <lacuna/lacuna.h>
+
 #include "baseline/dart_throwing.h"
 #include "distribution/statistics.h"
 #include "plan/make_plan.h"
@@ -141,6 +143,29 @@ TEST_P(ExactSets, AreDistributedAsDartThrowings) {
     std::printf("%s: %s\n", LACUNA_VARIANT, verdict.text().c_str());
     EXPECT_EQ(verdict.same(), kIsRight);
 }
+
+#ifndef LACUNA_SPATIAL_ORDER
+// The first half is made with one seed, and the set that keeps it with another one.
+TEST_P(ExactSets, ThatGoOnFromKeptPointsAreDistributedAsIfTheyHadNeverStopped) {
+    const auto going_on = [](Request request, const Plan& plan) {
+        Request half = request;
+        *half.limit /= 2;
+        const Result kept = sample(half);
+        request.keep = kept.points;
+        request.seed += 1'000'000;
+        std::vector<Sample> samples;
+        for (const Point& point : sample(request).points)
+            samples.push_back({static_cast<std::uint32_t>(point.x * plan.width),
+                               static_cast<std::uint32_t>(point.y * plan.height)});
+        return samples;
+    };
+    Request request = request_of(Boundary::torus, GetParam().round_size);
+    request.limit = static_cast<std::uint64_t>(GetParam().share * kJammed / (kRadius * kRadius));
+    const tests::Verdict verdict = compare(darts(request), make_sets(request, 3000, going_on));
+    std::printf("kept: %s\n", verdict.text().c_str());
+    EXPECT_TRUE(verdict.same());
+}
+#endif
 
 #ifdef LACUNA_SPATIAL_ORDER
 const auto kPrefixes = testing::Values(Prefix{0.6, kLargeRound}, Prefix{0.9, kLargeRound});

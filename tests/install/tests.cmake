@@ -22,6 +22,11 @@ endif()
 add_test(NAME install.initialisers COMMAND ${Python3_EXECUTABLE}
     ${PROJECT_SOURCE_DIR}/tests/install/initialisers.py ${PROJECT_SOURCE_DIR}/host/include
     ${PROJECT_BINARY_DIR}/install-test/initialisers ${compilers})
+# The library calls nothing that prints, ends the process or reads the clock.
+if(NOT BUILD_SHARED_LIBS)
+    add_test(NAME install.quiet COMMAND ${Python3_EXECUTABLE}
+        ${PROJECT_SOURCE_DIR}/tests/install/quiet.py $<TARGET_FILE:lacuna>)
+endif()
 # Lacuna as a part of another project, and with a missing package.
 add_test(NAME install.configuring COMMAND ${CMAKE_COMMAND}
     -D SCRATCH=${PROJECT_BINARY_DIR}/install-test/configuring -D SOURCE=${PROJECT_SOURCE_DIR}

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "judge/plane.h"
+#include "judge/judge.h"
 #include "refusal.h"
 #include "relax/available.h"
 #include "relax/scenes.h"

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
+#include <sys/resource.h>
+
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -54,6 +57,29 @@ TEST(SampleMany, GivesTheSetOfEachSeedThatIsTooLargeForABatch) {
 
 TEST(SampleMany, OfNoSeedsMakesNothing) {
     EXPECT_EQ(expect_same_as_alone(request_of(0.1), {}), 0U);
+}
+
+// The peak of this process's memory in bytes.
+std::size_t peak() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+TEST(SampleMany, NeedsNoMoreMemoryForMoreSeeds) {
+    const auto make = [](std::uint64_t first, std::uint64_t count) {
+        Seeds seeds(count);
+        std::iota(seeds.begin(), seeds.end(), first);
+        std::size_t points = 0;
+        sample_many(request_of(0.02), seeds,
+                    [&](std::uint64_t, const Result& set) { points += set.points.size(); });
+        return points * sizeof(Point);
+    };
+    make(0, 500);
+    const std::size_t before = peak();
+    const std::size_t made = make(500, 1500);
+    EXPECT_GT(made, std::size_t{39} << 20);
+    EXPECT_LT(peak() - before, made / 8);
 }
 
 TEST(SampleMany, RefusesWhatSampleRefuses) {

@@ -1,12 +1,13 @@
 // The command with faults: on any backend except cpu, one bit of point 17 is wrong; with seed 9 the
-// backend fails at its third set; with 10 to 13 the program is ended as drivers end it, and with 14
-// memory is exhausted.
+// backend fails at its third set; with 10 to 13 the program is ended as drivers end it, with 14
+// memory is exhausted, and with 15 the program finds a fault of its own.
 #include <signal.h>
 
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
 #include <new>
+#include <stdexcept>
 #include <thread>
 
 #include "cli/commands/commands.h"
@@ -31,7 +32,9 @@ lacuna::Result faulty_sample(const lacuna::Request& request, lacuna::Observer& o
     if (request.seed == kAborting) std::abort();
     if (request.seed == kCrashing) raise(SIGSEGV);
     if (request.seed == kThrowing) std::thread([] { throw std::bad_alloc(); }).join();
+    constexpr std::uint64_t kBug = 15;
     if (request.seed == kExhausted) throw std::bad_alloc();
+    if (request.seed == kBug) throw std::logic_error("a box of no sheet");
     constexpr std::size_t kPoint = 17;
     if (result.points.size() > kPoint) {
         double& x = result.points[kPoint].x;
