@@ -57,7 +57,7 @@ inline bool fits_lacuna_h(const Made& made) {
     return !made.is(kRadii, "ellipses") && !made.is(kClasses, "given") &&
            !made.is(kMask, "of classes") && made.frame == 0 &&
            (made.is(kClasses, "none") || !made.is(kSize, "given")) &&
-           request.mode != Mode::stratified;
+           request.mode != Mode::stratified && request.mode != Mode::cells;
 }
 
 // What lacuna_sample() and lacuna_verify() both need.
@@ -92,8 +92,6 @@ inline std::string options_of(const Made& made) {
     line.add("mode", name_of(request.mode));
     line.add("backend", "cpu");
     line.add("threads", request.place.threads);
-    if (request.mode == Mode::cells) line.add("metric", name_of(request.metric));
-    if (request.mode == Mode::stratified) line.add("relax", 0);
     if (request.progressive) line.add("progressive");
     if (request.limit) line.add("limit", *request.limit);
     const Paper2011& paper = request.paper2011;

@@ -148,11 +148,12 @@ double depth_in(std::span<const PolygonSet> sets, Point at) {
             near_any = std::max(near_any, set.distance - std::abs(own));
             continue;
         }
-        if (set.distance > 0) depth = std::min(depth, std::abs(own) - set.distance);
         if (set.forbidden) depth = std::min(depth, -own);
+        if (set.forbidden && set.distance > 0)
+            depth = std::min(depth, std::abs(own) - set.distance);
         if (set.forbidden) continue;
         has_inside = true;
-        in_any = std::max(in_any, own);
+        in_any = std::max(in_any, own - set.distance);
     }
     if (has_inside) depth = std::min(depth, in_any);
     return has_near ? std::min(depth, near_any) : depth;
