@@ -192,8 +192,12 @@ private:
         const std::size_t first = block * SiteTree::kBlock;
         const std::size_t count = std::min(sites_.size() - first, SiteTree::kBlock);
         std::array<std::uint64_t, SiteTree::kBlock> nearest{};
-        for (std::size_t i = 0; i < count; ++i)
-            nearest[i] = portable::reach_of_weight(numbers_.farthest, sites_[first + i].weight);
+        const std::uint64_t even = portable::even_weight(numbers_.farthest);
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::uint64_t weight = sites_[first + i].weight;
+            // No distance limits an even weight.
+            nearest[i] = weight == even ? 0 : portable::reach_of_weight(numbers_.farthest, weight);
+        }
         tree_.lower_to_nearest(block, numbers_.period_x, numbers_.period_y, near, nearest);
         for (std::size_t i = 0; i < count; ++i)
             sites_[first + i].weight =

@@ -3,7 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "relax/cpu/wide.h"
 
 namespace lacuna::relaxing::cpu {
 namespace {
@@ -18,6 +24,7 @@ Node around(const Node& a, const Node& b) {
 
 void SiteTree::look_at(std::span<const Site> sites, Workers& workers) {
     sites_ = sites;
+    rounded_.resize((sites.size() + kFan - 1) / kFan);
     std::size_t below = sites.size();
     levels_.reserve(16);
     for (std::size_t level = 0; level == 0 || below > 1; ++level) {
@@ -38,9 +45,20 @@ void SiteTree::look_at(std::span<const Site> sites, Workers& workers) {
                 for (std::size_t i = node * kFan + 1; i < children_end(level, node); ++i)
                     all = around(all, child(i));
                 levels_[level][node] = all;
+                if (level == 0) round_sites_of(node);
             }
         });
         below = nodes;
+    }
+}
+
+void SiteTree::round_sites_of(std::size_t leaf) {
+    Rounded& its = rounded_[leaf];
+    its.x.fill(std::numeric_limits<float>::infinity());
+    its.y.fill(std::numeric_limits<float>::infinity());
+    for (std::size_t i = leaf * kFan; i < children_end(0, leaf); ++i) {
+        its.x[i % kFan] = static_cast<float>(sites_[i].x);
+        its.y[i % kFan] = static_cast<float>(sites_[i].y);
     }
 }
 
@@ -82,87 +100,106 @@ void SiteTree::lower_worst_power(std::size_t level, std::size_t node, const Rect
         if (i != nearest && powers[i] < bound) lower_worst_power(level - 1, begin + i, box, bound);
 }
 
-// A site's own leaf comes first: it is near, so that most other leaves are skipped. One search
-// serves a block. Lists are filtered without branches, because these would be hard to predict.
+// One search serves a block. Lists are filtered without branches, because these would be hard to
+// predict.
 void SiteTree::lower_to_nearest(std::size_t block, std::int64_t period_x, std::int64_t period_y,
                                 Neighbours& near, std::span<std::uint64_t, kBlock> nearest) const {
     const std::size_t first = block * (kBlock / kFan);
     const std::size_t end = std::min(first + kBlock / kFan, levels_.front().size());
-    std::array<std::uint64_t, kBlock / kFan> farthest{};  // of each leaf's distances
-    for (std::size_t leaf = first; leaf < end; ++leaf) {
+    const auto farthest = [&](std::size_t leaf) {
         const auto own = nearest.subspan((leaf - first) * kFan, kFan);
-        lower_within(leaf, own);
-        farthest[leaf - first] = *std::max_element(own.begin(), own.end());
-    }
-    const std::uint64_t all = *std::max_element(farthest.begin(), farthest.end());
+        return *std::max_element(own.begin(), own.end());
+    };
+    const std::uint64_t all = *std::max_element(nearest.begin(), nearest.end());
     const Node& box = levels_[std::min<std::size_t>(1, levels_.size() - 1)][block];
     const int images = period_x != 0 ? 1 : 0;
     for (int image = 0; image < (2 * images + 1) * (2 * images + 1); ++image) {
         const std::int64_t x = (image % 3 - images) * period_x;
         const std::int64_t y = (image / 3 - images) * period_y;
-        find_leaves(moved(box, x, y), all, near);
+        const auto of_block = find_leaves(moved(box, x, y), all, near);
         for (std::size_t leaf = first; leaf < end; ++leaf) {
-            keep_near(0, moved(levels_.front()[leaf], x, y), farthest[leaf - first], near.of_block,
-                      near.of_leaf);
-            if (x == 0 && y == 0) std::erase(near.of_leaf, leaf);
-            lower_by_leaves(leaf, x, y, near, nearest.subspan((leaf - first) * kFan));
+            const auto of_leaf = keep_near(0, moved(levels_.front()[leaf], x, y), farthest(leaf),
+                                           of_block, near.of_leaf);
+            lower_by_leaves(leaf, x, y, of_leaf, nearest.subspan((leaf - first) * kFan));
         }
     }
 }
 
-// By the sites of the leaves near.of_leaf. The leaf's own sites are shifted by (x, y).
-void SiteTree::lower_by_leaves(std::size_t leaf, std::int64_t x, std::int64_t y, Neighbours& near,
-                               std::span<std::uint64_t> nearest) const {
-    if (near.of_leaf.empty()) return;
+// A squared distance in single precision. Of two sites that are nearer than `distance`, also
+// squared, the rounded places are nearer than it. Sites and their images are at most three times as
+// far from 0 as the last site.
+float SiteTree::rounded_reach(std::uint64_t distance) const {
+    constexpr float kPlaces = 0x1p-20F;     // of a coordinate: far more than its rounding
+    constexpr float kProducts = 1.000001F;  // of squares
+    const Node& all = levels_.back().front();
+    const float length = std::sqrt(static_cast<float>(distance)) +
+                         kPlaces * static_cast<float>(std::max(all.right, all.top));
+    return length * length * kProducts;
+}
+
+// By the sites of these leaves. The leaf's own sites are shifted by (x, y). Hardly any site has
+// another one so near. Single precision finds most of them without a branch for each leaf; for the
+// others, integers decide.
+LACUNA_WIDE void SiteTree::lower_by_leaves(std::size_t leaf, std::int64_t x, std::int64_t y,
+                                           std::span<const std::size_t> leaves,
+                                           std::span<std::uint64_t> nearest) const {
+    using Floats [[gnu::vector_size(kFan * sizeof(float))]] = float;
+    Rounded own = rounded_[leaf];
     for (std::size_t i = leaf * kFan; i < children_end(0, leaf); ++i) {
         const std::int64_t at_x = sites_[i].x + x;
         const std::int64_t at_y = sites_[i].y + y;
-        std::uint64_t least = nearest[i - leaf * kFan];
-        keep_near(0, {at_x, at_x, at_y, at_y}, least, near.of_leaf, near.of_site);
-        for (const std::size_t other : near.of_site)
+        std::uint64_t& least = nearest[i % kFan];
+        const float reach = rounded_reach(least);
+        const auto rounded_x = static_cast<float>(at_x), rounded_y = static_cast<float>(at_y);
+        // A site is no neighbour of itself.
+        const float its_x = std::exchange(own.x[i % kFan], std::numeric_limits<float>::infinity());
+        auto are_near = Floats{} < Floats{};  // all bits of a number, or none
+        for (const std::size_t other : leaves) {
+            const Rounded& sites = other == leaf ? own : rounded_[other];
+            Floats dx, dy;
+            std::memcpy(&dx, sites.x.data(), sizeof dx);
+            std::memcpy(&dy, sites.y.data(), sizeof dy);
+            dx -= rounded_x;
+            dy -= rounded_y;
+            are_near |= dx * dx + dy * dy < reach;
+        }
+        own.x[i % kFan] = its_x;
+        std::array<std::uint64_t, sizeof are_near / sizeof(std::uint64_t)> bits{};
+        std::memcpy(bits.data(), &are_near, sizeof are_near);
+        if ((bits[0] | bits[1] | bits[2] | bits[3]) == 0) continue;
+        for (const std::size_t other : leaves)
             for (std::size_t j = other * kFan; j < children_end(0, other); ++j)
                 if (j != i)
                     least = std::min(least, squared(sites_[j].x - at_x, sites_[j].y - at_y));
-        nearest[i - leaf * kFan] = least;
     }
 }
 
-// By the other sites of the same leaf.
-void SiteTree::lower_within(std::size_t leaf, std::span<std::uint64_t> nearest) const {
-    const auto sites = sites_.subspan(leaf * kFan, children_end(0, leaf) - leaf * kFan);
-    for (std::size_t i = 1; i < sites.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            const std::uint64_t distance = squared(std::int64_t{sites[i].x} - sites[j].x,
-                                                   std::int64_t{sites[i].y} - sites[j].y);
-            nearest[i] = std::min(nearest[i], distance);
-            nearest[j] = std::min(nearest[j], distance);
-        }
-}
-
-void SiteTree::keep_near(std::size_t level, const Rectangle& box, std::uint64_t distance,
-                         const std::vector<std::size_t>& nodes,
-                         std::vector<std::size_t>& kept) const {
-    kept.resize(nodes.size());
+// Grows `kept` if it must, and returns its part with the nodes that are near.
+std::span<const std::size_t> SiteTree::keep_near(std::size_t level, const Rectangle& box,
+                                                 std::uint64_t distance,
+                                                 std::span<const std::size_t> nodes,
+                                                 std::vector<std::size_t>& kept) const {
+    if (kept.size() < nodes.size()) kept.resize(nodes.size());
     std::size_t count = 0;
     for (const std::size_t node : nodes) {
         kept[count] = node;
         count += std::size_t{squared_gap(levels_[level][node], box) < distance};
     }
-    kept.resize(count);
+    return std::span(kept).first(count);
 }
 
-// Puts the leaves that are nearer to the rectangle than `distance`, squared, into near.of_block.
-void SiteTree::find_leaves(const Rectangle& box, std::uint64_t distance, Neighbours& near) const {
-    near.of_block.assign(1, 0);
+// The leaves that are nearer to the rectangle than `distance`, squared: a part of near.of_block.
+std::span<const std::size_t> SiteTree::find_leaves(const Rectangle& box, std::uint64_t distance,
+                                                   Neighbours& near) const {
+    near.children.assign(1, 0);
     for (std::size_t level = levels_.size() - 1;; --level) {
-        keep_near(level, box, distance, near.of_block, near.of_leaf);
-        if (level == 0) break;
-        near.of_block.clear();
-        for (const std::size_t node : near.of_leaf)
+        const auto found = keep_near(level, box, distance, near.children, near.of_block);
+        if (level == 0) return found;
+        near.children.clear();
+        for (const std::size_t node : found)
             for (std::size_t child = node * kFan; child < children_end(level, node); ++child)
-                near.of_block.push_back(child);
+                near.children.push_back(child);
     }
-    near.of_block.swap(near.of_leaf);
 }
 
 }  // namespace lacuna::relaxing::cpu

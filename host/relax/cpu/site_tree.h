@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -43,9 +44,9 @@ public:
 
     // Lists of leaves of the tree, reused from block to block.
     struct Neighbours {
+        std::vector<std::size_t> children;
         std::vector<std::size_t> of_block;
         std::vector<std::size_t> of_leaf;
-        std::vector<std::size_t> of_site;
     };
     // Lowers nearest[i] to the squared distance of the block's i-th site to the nearest other site,
     // or to an image of it, if that is less. Only positions are read of sites.
@@ -62,9 +63,16 @@ private:
         std::uint64_t least_weight;
     };
 
+    // The rounded places of a leaf's sites; infinite where there is no site.
+    struct Rounded {
+        std::array<float, kFan> x;
+        std::array<float, kFan> y;
+    };
+
     static std::uint64_t gap(std::int64_t low, std::int64_t high, std::int64_t begin,
                              std::int64_t end) {
-        return static_cast<std::uint64_t>(std::max({low - end, begin - high, std::int64_t{0}}));
+        return static_cast<std::uint64_t>(
+            std::max(std::max(low - end, begin - high), std::int64_t{0}));
     }
     static std::uint64_t squared(std::int64_t dx, std::int64_t dy) {
         return static_cast<std::uint64_t>(dx * dx + dy * dy);
@@ -103,13 +111,18 @@ private:
         }
     }
 
-    void lower_within(std::size_t leaf, std::span<std::uint64_t> nearest) const;
-    void lower_by_leaves(std::size_t leaf, std::int64_t x, std::int64_t y, Neighbours& near,
+    void round_sites_of(std::size_t leaf);
+    void lower_by_leaves(std::size_t leaf, std::int64_t x, std::int64_t y,
+                         std::span<const std::size_t> leaves,
                          std::span<std::uint64_t> nearest) const;
+    float rounded_reach(std::uint64_t distance) const;
     // Copies the nodes that are nearer to the rectangle than `distance`, which is squared.
-    void keep_near(std::size_t level, const Rectangle& box, std::uint64_t distance,
-                   const std::vector<std::size_t>& nodes, std::vector<std::size_t>& kept) const;
-    void find_leaves(const Rectangle& box, std::uint64_t distance, Neighbours& near) const;
+    std::span<const std::size_t> keep_near(std::size_t level, const Rectangle& box,
+                                           std::uint64_t distance,
+                                           std::span<const std::size_t> nodes,
+                                           std::vector<std::size_t>& kept) const;
+    std::span<const std::size_t> find_leaves(const Rectangle& box, std::uint64_t distance,
+                                             Neighbours& near) const;
 
     // The power of a site in the rectangle's worst corner.
     static std::uint64_t worst_power(const Site& site, const Rectangle& box);
@@ -118,6 +131,7 @@ private:
 
     std::span<const Site> sites_;
     std::vector<std::vector<Node>> levels_;
+    std::vector<Rounded> rounded_;  // of each leaf
 };
 
 }  // namespace lacuna::relaxing::cpu

@@ -6,15 +6,7 @@
 #include <limits>
 
 #include "relax/cpu/tile.h"
-
-// Compiled twice if the loader can choose: most processors take four doubles at once. The results
-// are exact in both versions. Sanitizers start too late for the loader's choice.
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define LACUNA_WIDE __attribute__((target_clones("avx2", "default")))
-#else
-#define LACUNA_WIDE
-#endif
+#include "relax/cpu/wide.h"
 
 namespace lacuna::relaxing::cpu {
 namespace {
@@ -23,6 +15,12 @@ namespace {
 // with mass, from bit 32 masses times u. For 64 points they are below 2^22, 2^7 and 2^25.
 constexpr std::uint64_t kOnePoint = 1u << 24;
 constexpr int kMomentBits = 32;
+// What a mass of 1 adds to these sums in each column of a leaf, without the count.
+constexpr auto kInColumn = [] {
+    std::array<std::uint64_t, Tile::kLeaf> sums{};
+    for (std::uint64_t u = 0; u < Tile::kLeaf; ++u) sums[u] = 1 + (u << kMomentBits);
+    return sums;
+}();
 
 }  // namespace
 
@@ -139,21 +137,25 @@ void Tile::fetch_masses(const Box& leaf) {
     if (width < kLeaf || leaf.top - leaf.bottom < kLeaf) masses_.fill(0);
     const Lattice& lattice = scene_->lattice;
     const std::uint32_t* const pixels = &scene_->pixel_of_column[box_.left + leaf.left];
-    std::array<std::uint64_t, kLeaf> of_row{};
     std::uint32_t last_row = NO_OWNER;
     for (std::uint32_t v = 0; v < leaf.top - leaf.bottom; ++v) {
         const std::uint32_t row = scene_->pixel_of_row[box_.bottom + leaf.bottom + v];
-        if (row != last_row) {
-            const std::uint16_t* const masses =
-                &lattice.mass[std::size_t{row} * lattice.numbers.pixel_columns];
-            for (std::uint32_t u = 0; u < width; ++u) of_row[u] = masses[pixels[u]];
-            for (std::uint32_t u = 0; u < kLeaf; ++u) {
-                const std::uint64_t mass = of_row[u];
-                of_row[u] = mass + (mass != 0 ? kOnePoint : 0) + (mass * u << kMomentBits);
-            }
-            last_row = row;
+        std::uint64_t* const of_row = &masses_[std::size_t{v} * kLeaf];
+        if (row == last_row) {
+            std::copy(of_row - kLeaf, of_row, of_row);
+            continue;
         }
-        std::copy(of_row.begin(), of_row.end(), &masses_[std::size_t{v} * kLeaf]);
+        last_row = row;
+        const std::uint16_t* const masses =
+            &lattice.mass[std::size_t{row} * lattice.numbers.pixel_columns];
+        const auto fetch = [&](std::uint32_t u) {
+            const std::uint64_t mass = masses[pixels[u]];
+            of_row[u] = mass * kInColumn[u] + (mass != 0 ? kOnePoint : 0);
+        };
+        if (width == kLeaf)  // nearly always: a loop of fixed length
+            for (std::uint32_t u = 0; u < kLeaf; ++u) fetch(u);
+        else
+            for (std::uint32_t u = 0; u < width; ++u) fetch(u);
     }
 }
 
