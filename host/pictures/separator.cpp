@@ -67,13 +67,14 @@ Separator::Separator(std::span<const Ink> inks, double black_ink, const Colour& 
       is_light_(light),
       paper_(channels_of(paper)),
       amounts_(inks.size()),
-      above_(inks.size() + 1) {
+      above_(inks.size() + 1),
+      next_(inks.size()),
+      slopes_(inks.size()) {
     constexpr std::uint8_t kBlack = 89;  // the highest number that a channel of black may have
     for (const Ink& ink : inks) {
         const bool is_black = *std::max_element(ink.colour.begin(), ink.colour.end()) <= kBlack;
         if (is_black && black_ == inks.size() && is_white_) black_ = inks_.size();
-        inks_.push_back(channels_of(ink.colour));
-        is_opaque_.push_back(ink.is_opaque_on(paper));
+        inks_.push_back({channels_of(ink.colour), ink.is_opaque_on(paper)});
     }
     const auto is_grey = [](const Colour& one) { return one[0] == one[1] && one[1] == one[2]; };
     is_grey_ = is_grey(paper) && std::all_of(inks.begin(), inks.end(),
@@ -111,7 +112,7 @@ Channels Separator::no_darker_than_black(Channels wanted) const {
     if (!has_black()) return wanted;
     const double lightest = *std::max_element(wanted.begin(), wanted.end());
     for (std::size_t c = 0; c < wanted.size(); ++c) {
-        const double of_black = inks_[black_][c];
+        const double of_black = inks_[black_].colour[c];
         if (lightest >= 2 * of_black) continue;
         const double near = 1 - lightest / (2 * of_black);
         wanted[c] += of_black * near * near;
@@ -129,7 +130,7 @@ double Separator::amount_of_black(const Channels& wanted) const {
     constexpr double kMiddle = 0.5;
     double most = 1;
     for (std::size_t c = 0; c < wanted.size(); ++c)
-        most = std::min(most, (1 - wanted[c]) / (1 - inks_[black_][c]));
+        most = std::min(most, (1 - wanted[c]) / (1 - inks_[black_].colour[c]));
     most = std::max(0.0, most);
     const double dark = std::clamp((most - (1 - kMiddle)) / (kMiddle - kDark), 0.0, 1.0);
     const double smooth = dark * dark * (3 - 2 * dark);
@@ -160,7 +161,7 @@ double Separator::improve_once(const Channels& wanted, std::size_t fixed) {
         for (std::size_t c = 0; c < wanted.size() && k != fixed; ++c) {
             const Layer& above = above_[k + 1][c];
             const double without = above.leaves * below[c] + above.adds;
-            const double one = is_opaque_[k] ? inks_[k][c] : below[c] * inks_[k][c];
+            const double one = (inks_[k].is_opaque ? 1 : below[c]) * inks_[k].colour[c];
             const double slope = above.leaves * (below[c] - one);
             product += (paper_[c] + (without - paper_[c]) / overlap - wanted[c]) * slope;
             square += slope * slope;
@@ -179,8 +180,9 @@ double Separator::improve_once(const Channels& wanted, std::size_t fixed) {
 }
 
 Separator::Layer Separator::layer(std::size_t k, double covered, std::size_t c) const {
-    if (is_opaque_[k]) return {1 - covered, covered * inks_[k][c]};
-    return {1 - covered * (1 - inks_[k][c]), 0};
+    const auto& [colour, is_opaque] = inks_[k];
+    if (is_opaque) return {1 - covered, covered * colour[c]};
+    return {1 - covered * (1 - colour[c]), 0};
 }
 
 Channels Separator::printed(std::span<const double> amounts) const {

@@ -48,6 +48,7 @@ private:
     void improve(const Channels& wanted, std::size_t fixed);
     double improve_once(const Channels& wanted, std::size_t fixed);
     void keep_lightness(const Channels& wanted);
+    void find_slopes(const Channels& colour, const std::array<Channels, 3>& by_channel);
 
     double black_ink_;
     std::size_t black_;  // the first black ink, or the number of inks if there is none
@@ -55,10 +56,15 @@ private:
     bool is_grey_;       // paper and inks
     bool is_light_;      // the channels
     Channels paper_;
-    std::vector<Channels> inks_;  // their colours on white paper
-    std::vector<bool> is_opaque_;
+    struct Printed {
+        Channels colour{};  // on white paper
+        bool is_opaque = false;
+    };
+    std::vector<Printed> inks_;
     std::vector<double> amounts_;
     std::vector<std::array<Layer, 3>> above_;  // of improve_once(): all inks above each one
+    std::vector<double> next_;                 // of keep_lightness(): the next amounts,
+    std::vector<Channels> slopes_;             // and what each of them changes
 };
 
 }  // namespace lacuna::pictures

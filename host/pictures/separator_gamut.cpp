@@ -3,9 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <span>
-#include <vector>
 
 #include "pictures/importance.h"
 #include "pictures/perceived.h"
@@ -19,7 +17,7 @@ namespace {
 // off, and hue 5 degrees instead of 10. With hue much over saturation, two or three inks would
 // print few colours but greys: skin would have no red in black and red.
 constexpr double kLightness = 2.5, kHue = 2, kSaturation = 1;
-using Errors = std::array<double, 3>;
+using Errors = Channels;
 
 double square_of(const Errors& errors) {
     return errors[0] * errors[0] + errors[1] * errors[1] + errors[2] * errors[2];
@@ -78,52 +76,47 @@ private:
     std::array<double, 2> hue_{1, 0};
 };
 
-// By how much the errors of a colour, which these amounts print, change with each amount.
-std::vector<Errors> slopes_at(const Channels& colour, std::span<const double> amounts,
-                              const Separator& separator, const Look& look) {
-    constexpr double kChange = 1e-3;
-    const std::array<Errors, 3> by_channel = look.slopes_at(colour);
-    std::vector<double> others(amounts.begin(), amounts.end());
-    std::vector<Errors> slopes(amounts.size());
-    for (std::size_t k = 0; k < amounts.size(); ++k) {
-        const double change = amounts[k] > 0.5 ? -kChange : kChange;
-        others[k] = amounts[k] + change;
-        const Channels other = separator.printed(others);
-        others[k] = amounts[k];
-        for (std::size_t c = 0; c < colour.size(); ++c)
-            for (std::size_t i = 0; i < by_channel[c].size(); ++i)
-                slopes[k][i] += by_channel[c][i] * (other[c] - colour[c]) / change;
-    }
-    return slopes;
-}
-
-// The step of all amounts, within 0 and 1, after which the errors are least if they are linear in
-// the amounts, plus `damping` times the step's square: one amount after the other.
-void find_step(const Errors& errors, std::span<const Errors> slopes, double damping,
-               std::span<const double> amounts, std::span<double> step) {
+// The amounts, from 0 to 1, at which the errors are least if they are linear in the amounts, plus
+// `damping` times the square of their changes: one amount after the other.
+void find_step(Errors errors, std::span<const Errors> slopes, double damping,
+               std::span<const double> amounts, std::span<double> next) {
     constexpr int kSweeps = 30;
     constexpr double kSmall = 1e-4;
-    Errors rest = errors;
-    std::fill(step.begin(), step.end(), 0.0);
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
-        double change = 0;
-        for (std::size_t k = 0; k < step.size(); ++k) {
-            double product = damping * step[k], square = damping;
-            for (std::size_t i = 0; i < rest.size(); ++i) {
-                product += slopes[k][i] * rest[i];
+    for (std::size_t k = 0; k < next.size(); ++k) next[k] = amounts[k];
+    double change = 1;
+    for (int sweep = 0; sweep < kSweeps && change > kSmall; ++sweep) {
+        change = 0;
+        for (std::size_t k = 0; k < next.size(); ++k) {
+            double product = damping * (next[k] - amounts[k]), square = damping;
+            for (std::size_t i = 0; i < errors.size(); ++i) {
+                product += slopes[k][i] * errors[i];
                 square += slopes[k][i] * slopes[k][i];
             }
-            const double way =
-                std::clamp(step[k] - product / square, -amounts[k], 1 - amounts[k]) - step[k];
-            for (std::size_t i = 0; i < rest.size(); ++i) rest[i] += slopes[k][i] * way;
-            step[k] += way;
+            const double way = std::clamp(next[k] - product / square, 0.0, 1.0) - next[k];
+            for (std::size_t i = 0; i < errors.size(); ++i) errors[i] += slopes[k][i] * way;
+            next[k] += way;
             change = std::max(change, std::abs(way));
         }
-        if (change < kSmall) return;
     }
 }
 
 }  // namespace
+
+// By how much the errors change with each amount, where the amounts print this colour.
+void Separator::find_slopes(const Channels& colour, const std::array<Errors, 3>& by_channel) {
+    constexpr double kChange = 1e-3;
+    next_ = amounts_;
+    for (std::size_t k = 0; k < amounts_.size(); ++k) {
+        const double change = amounts_[k] > 0.5 ? -kChange : kChange;
+        next_[k] += change;
+        const Channels other = printed(next_);
+        next_[k] = amounts_[k];
+        slopes_[k] = {};
+        for (std::size_t c = 0; c < colour.size(); ++c)
+            for (std::size_t i = 0; i < slopes_[k].size(); ++i)
+                slopes_[k][i] += by_channel[c][i] * (other[c] - colour[c]) / change;
+    }
+}
 
 // Steps of Gauss and Newton with damping (Levenberg 1944), from the amounts that are there.
 void Separator::keep_lightness(const Channels& wanted) {
@@ -135,27 +128,25 @@ void Separator::keep_lightness(const Channels& wanted) {
     for (std::size_t c = 0; c < wanted.size(); ++c)
         most = std::max(most, std::abs(colour[c] - wanted[c]));
     if (most <= kNear) return;
-    const Look look(wanted, has_black() ? &inks_[black_] : nullptr, is_light_);
+    const Look look(wanted, has_black() ? &inks_[black_].colour : nullptr, is_light_);
     Errors errors = look.errors_of(colour);
-    std::vector<Errors> slopes = slopes_at(colour, amounts_, *this, look);
-    std::vector<double> step(amounts_.size()), next(amounts_.size());
+    find_slopes(colour, look.slopes_at(colour));
     double damping = 1e-4;
     for (int i = 0; i < kMostSteps; ++i) {
-        find_step(errors, slopes, damping, amounts_, step);
-        std::transform(step.begin(), step.end(), amounts_.begin(), next.begin(), std::plus());
-        const Channels next_colour = printed(next);
+        find_step(errors, slopes_, damping, amounts_, next_);
+        const Channels next_colour = printed(next_);
         const Errors next_errors = look.errors_of(next_colour);
         if (!(square_of(next_errors) < square_of(errors))) {
             damping *= 16;
             continue;
         }
         const bool is_done = square_of(next_errors) > kLeastGain * square_of(errors);
-        amounts_ = next;
+        amounts_ = next_;
+        if (is_done) return;
         colour = next_colour;
         errors = next_errors;
-        if (is_done) return;
         damping /= 4;
-        slopes = slopes_at(colour, amounts_, *this, look);
+        find_slopes(colour, look.slopes_at(colour));
     }
 }
 
