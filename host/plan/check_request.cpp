@@ -1,5 +1,6 @@
 // Checks the options of a request.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -153,14 +154,16 @@ void check_importance(const Field& field) {
                          std::to_string(field.columns) + "x" + std::to_string(field.rows) +
                              " with " + std::to_string(field.importance.size()) + " values",
                          "needs columns * rows values, at least one");
-    // One pass without a branch, because there may be 2^28 pixels.
-    bool is_fine = true;
-    bool is_zero = true;
+    // One pass without a branch, because there may be 2^28 pixels. The highest bit of a number is
+    // its sign. Adding a unit of the exponent carries into it if the number is not finite.
+    std::uint64_t any = 0, carried = 0;
     for_each_polled(field.importance.size(), ask, [&](std::size_t i) {
-        const double one = field.importance[i];
-        is_fine &= one >= 0 && one <= std::numeric_limits<double>::max();
-        is_zero &= one == 0;
+        const auto bits = std::bit_cast<std::uint64_t>(field.importance[i]);
+        any |= bits;
+        carried |= bits + (std::uint64_t{1} << 52U);
     });
+    const bool is_fine = (any | carried) >> 63U == 0;
+    const bool is_zero = any << 1U == 0;  // of either sign
     for (std::size_t i = 0; !is_fine && i < field.importance.size(); ++i)
         if (!std::isfinite(field.importance[i]) || field.importance[i] < 0)
             throw BadRequest("field",

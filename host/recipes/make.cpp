@@ -64,15 +64,19 @@ Made make(const Request& request, const Moves& moves, Observer& observer) {
 }
 
 Made move_on(Made made, const Request& request, const Moves& moves, Observer& observer) {
+    move_points(made, request, moves, observer);
+    note_moves(request, made.result);
+    return made;
+}
+
+void move_points(Made& made, const Request& request, const Moves& moves, Observer& observer) {
     Result& result = made.result;
     Relaxed relaxed =
         relax(result.points, request.field, relax_options_of(request, moves), observer);
     result.points = std::exchange(relaxed.points, {});
     result.backend = relaxed.backend;  // a stratified start has none
     result.device = relaxed.device;
-    note_moves(request, result);
     made.relaxed = std::move(relaxed);
-    return made;
 }
 
 Made make_in_inks(const Request& request, std::span<const InkPart> inks, const Moves& moves,
@@ -82,7 +86,6 @@ Made make_in_inks(const Request& request, std::span<const InkPart> inks, const M
     made.result.points = std::move(placed.points);
     made.result.backend = placed.backend;
     made.result.device = placed.device;
-    note_moves(request, made.result);
     made.relaxed.emplace(Relaxed{.lattice_columns = placed.lattice_columns,
                                  .lattice_rows = placed.lattice_rows,
                                  .backend = placed.backend,

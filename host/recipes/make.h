@@ -48,7 +48,9 @@ Made make(const Request& request, const Moves& moves, Observer& observer);
 // Moves the points of a set. Throws what relax() throws.
 Made move_on(Made made, const Request& request, const Moves& moves, Observer& observer);
 
-// Makes the dots of several inks, ink by ink. Throws what place_inks() throws.
+// The same, and with the dots of several inks, ink by ink, what place_inks() throws. note_moves()
+// is left to the caller, who may choose from the points.
+void move_points(Made& made, const Request& request, const Moves& moves, Observer& observer);
 Made make_in_inks(const Request& request, std::span<const InkPart> inks, const Moves& moves,
                   Observer& observer);
 

@@ -159,8 +159,11 @@ private:
 Made placed(const Request& request, std::span<const InkPart> inks, std::vector<Point> start,
             const Moves& moves, Observer& observer) {
     if (!inks.empty()) return make_in_inks(request, inks, moves, observer);
-    if (start.empty()) return make(request, moves, observer);
-    return move_on({.result = {.points = std::move(start)}}, request, moves, observer);
+    check_moves(request, moves);
+    Made made{.result = {.points = std::move(start)}};
+    if (made.result.points.empty()) made.result = sample(request, observer);
+    if (moves.are_asked_for()) move_points(made, request, moves, observer);
+    return made;
 }
 
 // The dots of the picture and its margin, and how many of each ink there are.
@@ -206,7 +209,9 @@ Made place_dots(const Request& request, std::span<const InkPart> inks, std::span
         std::vector<Point> first;
         if (!start.empty())
             first = jumped(start, sample(request, observer).points, *request.field, request.domain);
-        return placed(request, inks, std::move(first), moves, observer);
+        Made made = placed(request, inks, std::move(first), moves, observer);
+        if (moves.are_asked_for()) note_moves(request, made.result);
+        return made;
     }
     check_request(request);
     auto [made, counts] = placed_around(margin, request, inks, start, moves, observer);
