@@ -38,7 +38,8 @@ void Raster::cover(Point middle, double reach, Chord chord) {
 }
 
 void Raster::cover_ellipse(Point middle, const Ellipse& dot) {
-    const QuadraticForm form = form_of(dot);
+    const double square = 1 / (dot.a * dot.a);
+    const QuadraticForm form = dot.a == dot.b ? QuadraticForm{square, 0, square} : form_of(dot);
     // How far the ellipse reaches up; a row at y has the x between the two roots.
     const double reach = std::sqrt(form.xx) * dot.a * dot.b;
     const double lean = -form.xy / form.xx, half = 1 / std::sqrt(form.xx);
@@ -51,13 +52,13 @@ void Raster::cover_ellipse(Point middle, const Ellipse& dot) {
 // The line is a disk whose middle moves from one end to the other. In a row the disk is furthest to
 // the left where its rim, at the row, is the line's left edge.
 void Raster::cover_stroke(Point middle, const Ellipse& stroke) {
-    const auto& [x, y] = direction_of(stroke.angle);
-    const double r = stroke.b, half = std::max(0.0, stroke.a - r), up = y < 0 ? -1 : 1;
-    const double end_x = up * half * x, end_y = up * half * y;
+    const Direction way = direction_of(stroke.angle);
+    const double r = stroke.b, half = std::max(0.0, stroke.a - r), up = way.y < 0 ? -1 : 1;
+    const double end_x = up * half * way.x, end_y = up * half * way.y;
     const auto edge = [&](double row, double side) {
         double t = end_x * side > 0 ? 1 : -1;
         if (end_y > 0) {
-            const double at_rim = (row + side * up * r * x) / end_y;
+            const double at_rim = (row + side * up * r * way.x) / end_y;
             t = std::clamp(at_rim, std::max(-1.0, (row - r) / end_y),
                            std::min(1.0, (row + r) / end_y));
         }
@@ -78,7 +79,7 @@ void Raster::put(double column, double row) {
 
 double covered_area(std::span<const Point> points, std::span<const Ellipse> dots, double times,
                     const Domain& domain) {
-    constexpr double kLeast = 1 << 16, kMost = 1 << 20, kForADot = 16;
+    constexpr double kLeast = 1 << 16, kMost = 1 << 18, kForADot = 16;
     Raster raster(domain, std::clamp(kForADot * static_cast<double>(points.size()), kLeast, kMost));
     for (std::size_t i = 0; i < points.size(); ++i)
         raster.cover_ellipse(points[i], {times * dots[i].a, times * dots[i].b, dots[i].angle});

@@ -38,7 +38,7 @@ private:
 };
 
 // The area of the domain that dots cover together, each `times` as wide as its ellipse. It is
-// counted at some 16 positions a dot, 2^16 to 2^20 in all.
+// counted at some 16 positions a dot, 2^16 to 2^18 in all.
 double covered_area(std::span<const Point> points, std::span<const Ellipse> dots, double times,
                     const Domain& domain);
 

@@ -2,6 +2,7 @@
 #include "drawing/dot_count.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -18,10 +19,18 @@ std::uint64_t rounded(double count) {
 }  // namespace
 
 double darkness_of(const Field& field) {
-    double sum = 0;
-    for_each_polled(field.importance.size(), ask,
-                    [&](std::size_t i) { sum += field.importance[i]; });
-    return sum / static_cast<double>(field.importance.size());
+    // Several sums, because each addition waits for the one before.
+    constexpr std::size_t kSums = 8;
+    std::array<double, kSums> sums{};
+    const std::size_t count = field.importance.size(), whole = count / kSums;
+    for_each_polled(
+        whole, ask,
+        [&](std::size_t i) {
+            for (std::size_t k = 0; k < kSums; ++k) sums[k] += field.importance[kSums * i + k];
+        },
+        kSums);
+    for (std::size_t i = kSums * whole; i < count; ++i) sums[0] += field.importance[i];
+    return std::accumulate(sums.begin(), sums.end(), 0.0) / static_cast<double>(count);
 }
 
 std::uint64_t dot_count(const Field& field, const Domain& domain) {

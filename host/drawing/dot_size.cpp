@@ -79,13 +79,22 @@ double in_steps(double size) {
 // those of kWider. Ellipses overlap more.
 double times_for(double area, std::span<const Point> points, std::span<const Ellipse> dots,
                  const Domain& domain) {
-    constexpr int kHalvings = 7;
-    double least = 0.8, most = 1.25;
-    for (int i = 0; i < kHalvings; ++i) {
-        const double middle = (least + most) / 2;
-        (covered_area(points, dots, middle, domain) < area ? least : most) = middle;
+    constexpr double kLeast = 0.8, kMost = 1.25;
+    constexpr int kSteps = 4;
+    constexpr double kNear = 2e-3;  // of the area
+    double times = 1, covered = covered_area(points, dots, times, domain);
+    // Dots that do not overlap cover as much as their areas; others cover less, so that the slope
+    // is measured then.
+    double slope = 2 * covered;
+    for (int step = 0; step < kSteps && std::abs(covered - area) > kNear * area; ++step) {
+        const double next = std::clamp(times + (area - covered) / slope, kLeast, kMost);
+        if (next == times) return times;
+        const double then = covered_area(points, dots, next, domain);
+        if ((then - covered) / (next - times) > 0) slope = (then - covered) / (next - times);
+        times = next;
+        covered = then;
     }
-    return (least + most) / 2;
+    return times;
 }
 
 }  // namespace
@@ -156,8 +165,9 @@ std::vector<double> dot_diameters(std::span<const Point> points, const Field& fi
         const std::size_t index = index_at(point, field, domain);
         const double importance = field.importance[index];
         const double share = sizing.shares.empty() ? 1 : sizing.shares[index];
-        diameters.push_back(diameter * in_steps(std::sqrt(sizing.area_at(importance) * share)) *
-                            wider_at(importance, spread, sizing.solid_black));
+        const double size =
+            sizing.varies() ? in_steps(std::sqrt(sizing.area_at(importance) * share)) : 1;
+        diameters.push_back(diameter * size * wider_at(importance, spread, sizing.solid_black));
         if (suits_area)
             dots.push_back(stretched(diameters.back() / 2,
                                      field.stretches.empty() ? Stretch{} : field.stretches[index]));
