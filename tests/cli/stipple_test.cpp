@@ -29,13 +29,18 @@ TEST(Stipple, WarnsInOneLineOfDotsWithLessThanHalfOfTheInkOrMoreThanTwice) {
         Names paper{};
     };
     const Names plain{"--relax", "0"};
+    const std::string steeper = "; with this ink --gamma 2 keeps more contrast";
     const std::vector<Case> cases{
         {joined(plain, {"--count", "100", "--dot-size", "1mm"}),
          "100 dots of 1mm have 2.5 % of the picture's ink: about 4060 dots or --dot-size 6.4mm "
-         "would suit"},
+         "would suit" +
+             steeper},
         {joined(plain, {"--count", "1000", "--dot-size", "4mm"}),
          "1000 dots of 4mm have 426 % of the picture's ink: about 235 dots, --dot-size 1.9mm or "
          "--paper-size A4 would suit"},
+        {joined(plain, {"--count", "100", "--dot-size", "1mm", "--gamma", "2"}),
+         "100 dots of 1mm have 4.9 % of the picture's ink: about 2020 dots or --dot-size 4.5mm "
+         "would suit"},
         {joined(plain, {"--count", "2100", "--dot-size", "1mm"})},
         {joined(plain, {"--count", "8000", "--dot-size", "1mm"})},
         {joined(plain, {"--dot-size", "1mm"})},
@@ -43,18 +48,22 @@ TEST(Stipple, WarnsInOneLineOfDotsWithLessThanHalfOfTheInkOrMoreThanTwice) {
         {{"--count", "100", "--dot-size", "1mm", "--quiet"}},
         {joined(plain, {"--count", "1500", "--dot-size", "2mm"}),
          "1500 dots of 2mm have 13 % of the picture's ink: about 12000 dots, --dot-size 5.7mm or "
-         "--paper-size A6 would suit",
+         "--paper-size A6 would suit" +
+             steeper,
          a3},
         {{"--count", "300", "--inks", "black:1mm"},
-         "300 dots of these pens have 0.62 % of the picture's ink: about 48300 dots would suit",
+         "300 dots of these pens have 0.62 % of the picture's ink: about 48300 dots would suit" +
+             steeper,
          a3},
         {{"--count", "300", "--path-line", "--dot-size", "1mm"},
          "lines of 1mm through 300 dots have 13 % of the picture's ink: about 18900 dots, "
-         "--dot-size 7.9mm or --paper-size 56x71mm would suit",
+         "--dot-size 7.9mm or --paper-size 56x71mm would suit" +
+             steeper,
          a3},
         {{"--plot-time", "2min", "--inks", "black:1mm,red:2mm", "--path-line"},
          "lines of these pens through 377 dots have 14 % of the picture's ink: about 18700 dots or "
-         "--paper-size 61x78mm would suit",
+         "--paper-size 61x78mm would suit" +
+             steeper,
          a3}};
     for (const Case& one : cases)
         EXPECT_EQ(warning(one.drawn, one.paper.empty() ? square : one.paper), one.warning);

@@ -248,7 +248,8 @@ std::vector<Point> run_one(const CommandLine& line, const StippleCommand& all) {
                               .suits = dots.dots_for_ink,
                               .domain = request.domain,
                               .widest_pen_mm = recipes::widest_pen(options),
-                              .are_line = options.path_line});
+                              .are_line = options.path_line,
+                              .has_gamma = line.has("gamma")});
 
     const Json asked = json_of(all, options, dots);
     const files::Origin origin = origin_of(line, request, made.result, asked);

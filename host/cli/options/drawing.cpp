@@ -147,9 +147,14 @@ void warn_of_ink(const DrawingOptions& options, const Inked& inked) {
     const std::string drawn = inked.are_line
                                   ? fmt::format("lines of {} through {} dots", pen, inked.dots)
                                   : fmt::format("{} dots of {}", inked.dots, pen);
+    // Found by looking: with 14 to 40 % of the ink dots of a photograph, or one line, look flat by
+    // its numbers. With 1.5 they look a little less flat, and with 3 faces lose their features.
+    const char* const contrast =
+        ink < kLeastInk && !inked.has_gamma ? "; with this ink --gamma 2 keeps more contrast" : "";
     std::fputs(
-        fmt::format("lacuna: {} have {} % of the picture's ink: {} would suit\n", drawn, percent,
-                    recipes::listed(std::vector<std::string_view>(advice.begin(), advice.end())))
+        fmt::format("lacuna: {} have {} % of the picture's ink: {} would suit{}\n", drawn, percent,
+                    recipes::listed(std::vector<std::string_view>(advice.begin(), advice.end())),
+                    contrast)
             .c_str(),
         stderr);
 }

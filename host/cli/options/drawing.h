@@ -47,6 +47,7 @@ struct Inked {
     const Domain& domain;
     double widest_pen_mm;
     bool are_line = false;
+    bool has_gamma = true;  // if not, and ink is short, a --gamma that keeps contrast is named
 };
 
 // Prints a line on standard error if the ink is less than half of the picture's, or more than twice
