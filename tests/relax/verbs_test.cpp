@@ -1,12 +1,14 @@
 // Each verb of each backend gives the reference's results, on hostile scenes, number for number.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "relax/available.h"
+#include "relax/hilbert.h"
 #include "relax/scenes.h"
 
 namespace lacuna::relaxing::tests {
@@ -187,6 +189,28 @@ TEST(Ties, go_to_the_lowest_index) {
         const auto backend = make_backend(name, lattice, start);
         backend->assign();
         for (const std::uint32_t owner : backend->owners()) ASSERT_EQ(owner, 0u) << name;
+    }
+}
+
+// Sites in rows are put onto a curve. Sites on a curve stay as they are, and so do the answers.
+TEST(Order, of_sites_is_left_if_they_are_on_a_curve) {
+    Scene scene{"a grid", {}, std::nullopt, on(1, 1, Boundary::box)};
+    constexpr int kSide = 32;
+    for (int i = 0; i < kSide * kSide; ++i)
+        scene.points.push_back({(i % kSide + 0.5) / kSide, (i / kSide + 0.5) / kSide});
+    const Lattice lattice = scene.lattice();
+    const std::vector<Site> rows = scene.sites(lattice);
+    std::vector<Site> curve;
+    for (const std::uint32_t index : hilbert_order(rows, nobody_asks)) curve.push_back(rows[index]);
+    EXPECT_NE(difference("site", rows, curve), "");
+    const std::vector<std::uint32_t> order = hilbert_order(curve, nobody_asks);
+    EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
+    for (const std::vector<Site>& start : {rows, curve}) {
+        const auto reference = make_backend("reference", lattice, start);
+        const auto backend = make_backend("cpu", lattice, start);
+        reference->assign();
+        backend->assign();
+        EXPECT_EQ(difference_of_looks(*reference, *backend), "");
     }
 }
 

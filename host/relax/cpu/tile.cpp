@@ -101,7 +101,7 @@ void Tile::find_candidates(std::uint64_t bound) {
             add_candidate(image);
         });
     }
-    std::sort(order_.begin(), order_.end());
+    if (!std::is_sorted(order_.begin(), order_.end())) std::sort(order_.begin(), order_.end());
     parts_.clear();
     for (const std::uint64_t key : order_)
         parts_.push_back({candidates_[key % kMostCandidates].image, 0, 0, 0, 0});
