@@ -160,8 +160,10 @@ Result sample_checked(const CheckedRequest& request, Observer& observer) {
         check_kept_distances(
             trial.request,
             trial.request.places_of_kept());  // at this size kept points may be too close together
-        result.maximal = result.maximal && result.points.size() == *request->count;
-        cut_points(std::min(*request->count, request->limit.value_or(*request->count)), result);
+        const std::uint64_t most =
+            std::min(*request->count, request->limit.value_or(*request->count));
+        result.maximal = result.maximal && result.points.size() <= most;
+        cut_points(most, result);
         return result;
     }
 }

@@ -129,7 +129,7 @@ inline void demand_same_pair(const Set& set, const Judge& judge, const Proof& pr
     const bool is_uniform =
         set.request.field == nullptr && set.classes.empty() && proof.second < set.points.size();
     const double distance =
-        is_uniform
+        is_uniform && proof.first != proof.second
             ? judge::distance(set.request.domain, set.points[proof.first], set.points[proof.second])
             : proof.least_distance;
     demand(proof.least_distance == distance, "the distance is another one: " + told(proof));

@@ -47,11 +47,12 @@ inline void judge_tiles(const Made& made, const Result& left, const Result& righ
     set.size = (both.field != nullptr ? left.scale : left.radius) * (1 - 1e-12);
     set.is_maximal = true;
     const double width = made.request.domain.width;
-    for (const Result* const tile : {&left, &right}) {
-        for (const Point& at : tile->points)
+    for (const bool is_right : {false, true}) {
+        const Result& tile = is_right ? right : left;
+        for (const Point& at : tile.points)
             set.points.push_back(
-                judge::wrapped(both.domain, {at.x + (tile == &left ? 0 : width), at.y}));
-        set.classes.insert(set.classes.end(), tile->classes.begin(), tile->classes.end());
+                judge::wrapped(both.domain, {at.x + (is_right ? width : 0), at.y}));
+        set.classes.insert(set.classes.end(), tile.classes.begin(), tile.classes.end());
     }
     const Judge judge = set.judge();
     demand(judge.fault().empty(), "two tiles: " + judge.fault());

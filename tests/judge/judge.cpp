@@ -50,10 +50,11 @@ Judge::Judge(const Request& request, std::span<const Point> points,
         if (!is_neighbour(at)) continue;
         const auto& of_kept = request.keep_classes;
         const std::uint8_t kind = of_kept.empty() ? std::uint8_t{0} : of_kept[i];
-        sites_.push_back({at, {Shape{size, size}}, kind, true});
         const Point in{std::clamp(at.x, domain_.x0, domain_.x0 + domain_.width),
                        std::clamp(at.y, domain_.y0, domain_.y0 + domain_.height)};
-        if (std::hypot(at.x - in.x, at.y - in.y) > greatest_ * size) continue;
+        const bool is_far = std::hypot(at.x - in.x, at.y - in.y) > greatest_ * size;
+        sites_.push_back({at, {Shape{size, size}}, kind, true, is_far});
+        if (is_far) continue;
         left = std::min(left, at.x), right = std::max(right, at.x);
         bottom = std::min(bottom, at.y), top = std::max(top, at.y);
     }
@@ -199,7 +200,8 @@ Judge::Closest Judge::closest() const {
     Closest closest;
     for (std::size_t j = 0; j < sites_.size(); ++j)
         for (std::size_t i = 0; i < std::min(j, own_); ++i)
-            if (const double share = share_of(i, j); share < closest.share) closest = {i, j, share};
+            if (const double share = share_of(i, j); share < closest.share && !sites_[j].is_far)
+                closest = {i, j, share};
     return closest;
 }
 
@@ -239,7 +241,8 @@ double Judge::room(Point spot, std::uint8_t kind) const {
     const std::optional<Shape> own = shape_at(spot);
     if (!own) return -kInfinity;
     double least = kInfinity;
-    for (const Site& site : sites_) least = std::min(least, over(site, spot, *own, kind));
+    for (const Site& site : sites_)
+        if (!site.is_far) least = std::min(least, over(site, spot, *own, kind));
     return least;
 }
 

@@ -100,6 +100,7 @@ private:
         std::vector<Shape> shapes;  // more than one near a border of pixels
         std::uint8_t kind;
         bool is_kept;
+        bool is_far = false;  // outside, too far to cover a spot of the domain
     };
 
     std::size_t kinds() const;

@@ -134,6 +134,17 @@ TEST(Classes, RefuseKeptPointsWithinTheirBorderAndOffTheirMask) {
               "keep point 0 at (0.1, 0.5): must lie where the mask is not 0");
 }
 
+// Its trial has 10 points, as many as are counted.
+TEST(Classes, ThatALimitCutsAreNotMaximal) {
+    Request request = request_of(distances_by_sum(std::vector{2.0, 1.0}));
+    request.domain.boundary = Boundary::torus;
+    request.count = 10;
+    request.seed = 9;
+    EXPECT_TRUE(sample(request).maximal);
+    request.limit = 3;
+    EXPECT_FALSE(sample(request).maximal);
+}
+
 // Both sets had a gap when factors were multiples of 2^-20.
 TEST(Classes, OfNearlyEqualDistancesHaveNoGap) {
     const auto expect_maximal = [](const Request& request) {
