@@ -22,8 +22,10 @@ namespace {
 
 constexpr std::uint32_t kLeastSide = 8, kMostSide = 1024;
 constexpr std::uint64_t kMostThresholds = std::uint64_t{kMostSide} * kMostSide;  // of all frames
-constexpr std::uint32_t kFrameStream = 0xf4a3;  // a stream of random numbers, for further frames
-constexpr std::size_t kMinority = 10;           // a pattern begins with one pixel in so many
+// A stream of random numbers that nothing else uses: the first is for the place of the tile, others
+// are for further frames.
+constexpr std::uint32_t kFrameStream = 0xf4a3;
+constexpr std::size_t kMinority = 10;  // a pattern begins with one pixel in kMinority
 // The Gaussian's deviation in pixels, where one pixel in kMinority is set or fewer, and where more
 // are. With 1.5 everywhere, as Ulichney has it, low frequencies have twice the power.
 constexpr double kOfFew = 1.5, kOfMany = 2.6;
@@ -243,6 +245,25 @@ Patterns even_patterns(std::uint32_t columns, std::uint32_t rows, std::uint64_t 
     return patterns;
 }
 
+// Moves all frames by the same random way, so that no pixel has better chances of low ranks than
+// another. Across its edges a tile is the same everywhere.
+std::vector<std::uint32_t> moved_at_random(const std::vector<std::uint32_t>& ranks,
+                                           const Tile& tile, std::uint64_t seed) {
+    const RandomBits random = random_bits(seed, 0, kFrameStream);
+    const std::uint64_t right = scaled(random.first, tile.columns);
+    const std::uint64_t down = scaled(random.second, tile.rows);
+    std::vector<std::uint32_t> moved(ranks.size());
+    for (std::size_t row = 0; row < std::size_t{tile.rows} * tile.frames; ++row) {
+        const std::size_t in_frame = row % tile.rows;
+        const auto from = ranks.begin() + static_cast<std::ptrdiff_t>(row * tile.columns);
+        const std::size_t to = row - in_frame + (in_frame + down) % tile.rows;
+        std::rotate_copy(from, from + static_cast<std::ptrdiff_t>(tile.columns - right),
+                         from + static_cast<std::ptrdiff_t>(tile.columns),
+                         moved.begin() + static_cast<std::ptrdiff_t>(to * tile.columns));
+    }
+    return moved;
+}
+
 }  // namespace
 
 ThresholdMask threshold_mask(std::uint32_t columns, std::uint32_t rows, std::uint64_t seed,
@@ -261,7 +282,8 @@ ThresholdMask threshold_mask(std::uint32_t columns, std::uint32_t rows, std::uin
         for (std::size_t i = 0; i < 2; ++i)
             all[i].insert(all[i].end(), patterns[i].begin(), patterns[i].end());
     }
-    return {columns, rows, frames, Ranker({columns, rows, frames}).rank(all[0], all[1])};
+    const Tile tile{columns, rows, frames};
+    return {columns, rows, frames, moved_at_random(Ranker(tile).rank(all[0], all[1]), tile, seed)};
 }
 
 }  // namespace lacuna

@@ -137,6 +137,26 @@ TEST(AThresholdMask, IsTheSameForASeedAndAnotherForAnother) {
     EXPECT_NE(threshold_mask(32, 32, 3).ranks, threshold_mask(32, 32, 4).ranks);
 }
 
+// The mean over many pairs of tiles, as they are and with the second one moved.
+TEST(AThresholdMask, IsNotCorrelatedWithThoseOfOtherSeeds) {
+    constexpr std::uint32_t kSide = 32, kPixels = kSide * kSide;
+    constexpr std::size_t kTiles = 60;
+    std::vector<std::vector<double>> tiles;
+    for (std::uint64_t seed = 0; seed < kTiles; ++seed) {
+        std::vector<double>& tile = tiles.emplace_back();
+        for (const std::uint32_t rank : threshold_mask(kSide, kSide, seed).ranks)
+            tile.push_back((rank + 0.5) / kPixels - 0.5);
+    }
+    for (const std::size_t moved : {0U, kSide * 5 + 11}) {
+        double sum = 0;
+        for (std::size_t a = 0; a < kTiles; ++a)
+            for (std::size_t b = 0; b < a; ++b)
+                for (std::size_t i = 0; i < kPixels; ++i)
+                    sum += tiles[a][i] * tiles[b][(i + moved) % kPixels];
+        EXPECT_NEAR(sum * 12 / kPixels / (kTiles * (kTiles - 1) / 2.), 0, 0.005) << moved;
+    }
+}
+
 TEST(AThresholdMask, HasSidesOf8To1024Pixels) {
     EXPECT_EQ(tests::refusal_of([] { threshold_mask(7, 64); }),
               "size 7x64: each side must be 8 to 1024 pixels");
