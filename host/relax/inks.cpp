@@ -87,23 +87,24 @@ class InkOfPlace : public OnCurve {
 public:
     InkOfPlace(std::span<const InkPart> inks, std::span<const Lattice> lattices) {
         for (std::size_t k = 0; k < inks.size(); ++k) {
-            const std::vector<std::uint16_t>& masses = lattices[k].mass;
-            inks_.push_back({masses, static_cast<double>(inks[k].dots),
-                             std::accumulate(masses.begin(), masses.end(), 0.0)});
+            Ink ink{lattices[k].masses, static_cast<double>(inks[k].dots)};
+            for (std::size_t pixel = 0; pixel < ink.masses.size(); ++pixel)
+                ink.mass += ink.mass_of(pixel);
+            inks_.push_back(ink);
         }
     }
 
     void begin(std::uint64_t cells_a_pixel) override {
         for (Ink& ink : inks_) ink.mass *= static_cast<double>(cells_a_pixel);
     }
-    void put(std::size_t pixel, double part) override {
-        std::size_t chosen = most_behind(pixel, part, true);
-        if (chosen == inks_.size()) chosen = most_behind(pixel, part, false);
+    void put(std::size_t pixel, double cells) override {
+        std::size_t chosen = most_behind(pixel, cells, true);
+        if (chosen == inks_.size()) chosen = most_behind(pixel, cells, false);
         ++inks_[chosen].placed;
         inks_of_places_.push_back(static_cast<std::uint8_t>(chosen));
     }
-    void leave(std::size_t pixel) override {
-        for (Ink& ink : inks_) ink.before += ink.masses[pixel];
+    void leave(std::size_t pixel, double cells) override {
+        for (Ink& ink : inks_) ink.before += cells * ink.mass_of(pixel);
     }
 
     // The points, all of the first ink first; of one ink in the order of the curve.
@@ -118,21 +119,25 @@ public:
 
 private:
     struct Ink {
-        std::span<const std::uint16_t> masses;
+        std::span<const std::uint32_t> masses;  // as Lattice has them
         double dots;
-        double mass;
+        double mass = 0;
         double placed = 0;
         double before = 0;  // mass of all earlier cells
+
+        double mass_of(std::size_t pixel) const {
+            return static_cast<double>(portable::whole_mass(masses[pixel]));
+        }
     };
 
-    std::size_t most_behind(std::size_t pixel, double part, bool only_wanted) const {
+    std::size_t most_behind(std::size_t pixel, double cells, bool only_wanted) const {
         std::size_t chosen = inks_.size();
         double most = 0;
         for (std::size_t k = 0; k < inks_.size(); ++k) {
             const Ink& ink = inks_[k];
             if (ink.placed == ink.dots || (only_wanted && ink.masses[pixel] == 0)) continue;
             const double behind =
-                (ink.before + part * ink.masses[pixel]) / ink.mass * ink.dots - ink.placed;
+                (ink.before + cells * ink.mass_of(pixel)) / ink.mass * ink.dots - ink.placed;
             if (chosen != inks_.size() && behind <= most) continue;
             chosen = k;
             most = behind;
@@ -220,7 +225,7 @@ private:
         Site both = of_ink;
         both.x = two_thirds(of_ink.x, of_all.x, lattice.numbers.period_x);
         both.y = two_thirds(of_ink.y, of_all.y, lattice.numbers.period_y);
-        if (is_last && lattice.mass_under(both) == 0) both = of_ink;
+        if (is_last && lattice.stored_below(both) == 0) both = of_ink;
         of_ink.x = of_all.x = both.x;
         of_ink.y = of_all.y = both.y;
     }

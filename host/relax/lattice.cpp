@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -32,7 +34,8 @@ constexpr double kMostPoints = 2147483648;  // 2^31
 constexpr double kMostOfSide = 2097152;     // 2^21
 constexpr double kMostPointsTimesSide = 0x1p46;
 constexpr std::uint32_t kUnitsPerStep = 256;
-constexpr std::uint32_t kMostMass = 65535;
+constexpr double kMostMass = 0x1p48;           // half of what portable/power.h allows, because
+constexpr double kMostMassTimesSide = 0x1p61;  // masses of at least 1 may add to the sum
 
 struct Cut {
     double x;
@@ -127,6 +130,35 @@ portable::RelaxLattice numbers_of(const Field& field, const Cut& cut, const Rela
     return numbers;
 }
 
+// As portable/power.h says.
+std::uint32_t stored(std::uint64_t mass) {
+    const auto bits = static_cast<std::uint32_t>(std::bit_width(mass));
+    const std::uint32_t exponent = bits > MASS_BITS ? bits - MASS_BITS : 0;
+    return static_cast<std::uint32_t>(mass >> exponent) | exponent << MASS_EXPONENT_AT;
+}
+
+// The exponent of each leaf's masses, from those of its pixels.
+void set_exponents(Lattice& lattice) {
+    const portable::RelaxLattice& numbers = lattice.numbers;
+    const std::uint32_t columns = leaves_in(numbers.columns);
+    lattice.exponents.assign(std::size_t{columns} * leaves_in(numbers.rows), 0);
+    const auto last = [](std::uint32_t pixel, std::uint32_t cut) {
+        return ((pixel + 1) * cut - 1) / LEAF_SIDE;
+    };
+    for (std::size_t i = 0; i < lattice.masses.size(); ++i) {
+        const auto exponent = static_cast<std::uint8_t>(lattice.masses[i] >> MASS_EXPONENT_AT);
+        if (exponent == 0) continue;
+        const auto x = static_cast<std::uint32_t>(i % numbers.pixel_columns);
+        const auto y = static_cast<std::uint32_t>(i / numbers.pixel_columns);
+        for (std::uint32_t v = y * numbers.cut_y / LEAF_SIDE; v <= last(y, numbers.cut_y); ++v)
+            for (std::uint32_t u = x * numbers.cut_x / LEAF_SIDE; u <= last(x, numbers.cut_x);
+                 ++u) {
+                std::uint8_t& of_leaf = lattice.exponents[std::size_t{v} * columns + u];
+                of_leaf = std::max(of_leaf, exponent);
+            }
+    }
+}
+
 }  // namespace
 
 std::uint32_t unit_of(double coordinate, double side, std::uint32_t length, bool wraps) {
@@ -156,16 +188,30 @@ const Field& field_or_even(const Field* field) {
     return field != nullptr ? *field : even;
 }
 
-std::vector<std::uint16_t> masses_of(const Field& field, const Poll& poll) {
-    const double greatest = *std::max_element(field.importance.begin(), field.importance.end());
-    std::vector<std::uint16_t> masses;
+std::vector<std::uint64_t> masses_of(const Field& field, double most, const Poll& poll) {
+    double greatest = 0, least = std::numeric_limits<double>::infinity(), sum = 0;
+    for_each_polled(field.importance.size(), poll, [&](std::size_t i) {
+        const double one = field.importance[i];
+        greatest = std::max(greatest, one);
+        if (one > 0) least = std::min(least, one);
+    });
+    // The sum of the numbers themselves might be infinite.
+    for_each_polled(field.importance.size(), poll,
+                    [&](std::size_t i) { sum += field.importance[i] / greatest; });
+    constexpr double kGreatest = 65535;
+    constexpr int kMostBits = 36;  // that the greatest mass has more than 65535 has
+    const double range = std::max(least / greatest, 0x1p-100);  // may be too small for a double
+    int bits = std::clamp(-std::ilogb(range) - 7, 0, kMostBits);
+    while (bits > 0 && std::ldexp(kGreatest * sum, bits) > most) --bits;
+    const double unit = std::ldexp(kGreatest, bits);
+    std::vector<std::uint64_t> masses;
     masses.reserve(field.importance.size());
     const auto add_row = [&](std::size_t from_above) {
         const std::size_t row = field.rows - 1 - from_above;
         for (std::uint32_t column = 0; column < field.columns; ++column) {
             const double one = field.importance[row * field.columns + column];
-            const double mass = std::max(1.0, std::round(one / greatest * kMostMass));
-            masses.push_back(one > 0 ? static_cast<std::uint16_t>(mass) : std::uint16_t{0});
+            const auto mass = static_cast<std::uint64_t>(one / greatest * unit + 0.5);
+            masses.push_back(mass + (one > 0 && mass == 0 ? 1 : 0));
         }
     };
     for_each_polled(field.rows, poll, add_row, field.columns);
@@ -181,7 +227,7 @@ Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions&
     const double wanted = points_of_sample(field, pixels);
     const Cut cut = possible_cut(importance, aspect, wanted * static_cast<double>(points) / pixels);
 
-    Lattice lattice{numbers_of(importance, cut, options), 0, {}, options.domain, 0, 0};
+    Lattice lattice{numbers_of(importance, cut, options), 0, {}, {}, 0, options.domain, 0, 0};
     lattice.unit_x = options.domain.width / (lattice.numbers.columns * lattice.numbers.step_x);
     lattice.unit_y = options.domain.height / (lattice.numbers.rows * lattice.numbers.step_y);
     return with_field(std::move(lattice), points, importance, poll);
@@ -189,10 +235,18 @@ Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions&
 
 Lattice with_field(Lattice lattice, std::size_t points, const Field& field, const Poll& poll) {
     portable::RelaxLattice& numbers = lattice.numbers;
-    lattice.mass = masses_of(field, poll);
     const std::uint64_t points_per_pixel = std::uint64_t{numbers.cut_x} * numbers.cut_y;
-    std::uint64_t mass = 0;
-    for (const std::uint16_t one : lattice.mass) mass += one * points_per_pixel;
+    const double longer = std::max(numbers.columns, numbers.rows);
+    const std::vector<std::uint64_t> masses = masses_of(
+        field,
+        std::min(kMostMass, kMostMassTimesSide / longer) / static_cast<double>(points_per_pixel),
+        poll);
+    lattice.masses.clear();
+    lattice.greatest_mass = *std::max_element(masses.begin(), masses.end());
+    for (const std::uint64_t mass : masses) lattice.masses.push_back(stored(mass));
+    set_exponents(lattice);
+    const std::uint64_t mass =
+        std::reduce(masses.begin(), masses.end(), std::uint64_t{0}) * points_per_pixel;
     lattice.points = pixels_of_importance(field) * points_per_pixel;
     numbers.samples = static_cast<std::uint32_t>(points);
     numbers.mean_mass = mass / points;

@@ -31,7 +31,7 @@ public:
         limit_weights();
         for (std::uint32_t row = 0; row < numbers_.rows; ++row)
             for (std::uint32_t column = 0; column < numbers_.columns; ++column)
-                if (lattice_.mass_at(column, row) != 0)
+                if (lattice_.stored_at(column, row) != 0)
                     owners_[index_of(column, row)] = owner_of(column, row);
     }
 
@@ -46,13 +46,13 @@ public:
 
     void move(std::uint32_t way) override {
         for (std::size_t i = 0; i < sites_.size(); ++i)
-            sites_[i] = moved(numbers_, sites_[i], shares_[i], way);
+            sites_[i] = moved(lattice_, sites_[i], shares_[i], way);
     }
 
     void rest() override {
         move(WHOLE_WAY);
         for (std::uint32_t i = 0; i < sites_.size(); ++i)
-            if (lattice_.mass_under(sites_[i]) == 0) go_to_importance(i);
+            if (lattice_.stored_below(sites_[i]) == 0) go_to_importance(i);
     }
 
     std::vector<Site> sites() override { return sites_; }

@@ -20,14 +20,19 @@
 namespace lacuna {
 namespace {
 
-constexpr std::uint32_t kPixelStream = 0x9e1;  // random numbers that no other sampler uses
+// Streams of random numbers that nothing else uses.
+constexpr std::uint32_t kPixelStream = 0x9e1, kPixelCurveStream = 0x9e2;
 
-std::vector<std::uint16_t> masses_on(const Request& request, const Poll& poll) {
+std::vector<std::uint64_t> masses_on(const Request& request, const Poll& poll) {
     const Raster& raster = *request.on_pixels;
     const Field& field = relaxing::field_or_even(request.field);
-    const std::vector<std::uint16_t> given = relaxing::masses_of(field, poll);
+    // The most pixels of the raster that have the same pixel of the field.
+    const double often = std::ceil(double{1} * raster.columns / field.columns) *
+                         std::ceil(double{1} * raster.rows / field.rows);
+    const std::vector<std::uint64_t> given =
+        relaxing::masses_of(field, PixelShares::kMostMass / often, poll);
     const Mask* const mask = request.mask;
-    std::vector<std::uint16_t> masses(raster.pixels());
+    std::vector<std::uint64_t> masses(raster.pixels());
     // The pixel of a picture, stretched over the raster, at the centre of the raster's pixel.
     const auto at = [](std::uint64_t i, std::uint64_t of, std::uint64_t pixels) {
         return static_cast<std::size_t>((2 * i + 1) * pixels / (2 * of));
@@ -74,10 +79,10 @@ std::vector<std::uint8_t> first_samples(const Request& request, const PixelShare
         if (first_is_full) carrier = pixel;
         carried = both - shares.mass;
     };
-    for_each_on_curve(raster.columns, raster.rows, [&](Cell cell) {
+    const PixelGrid grid{raster.columns, raster.rows, 1, 1, request.domain.wraps()};
+    RandomCurve(grid, request.seed, kPixelCurveStream).follow([&](const InPixel& part) {
         if (visited++ % kBetweenPolls == 0) poll();
-        const std::size_t pixel =
-            static_cast<std::size_t>(cell.y) * raster.columns + static_cast<std::size_t>(cell.x);
+        const std::size_t pixel = part.pixel;
         if (shares.is_full(pixel)) taken[pixel] = 1;
         if (!shares.is_open(pixel) || shares.count == 0) return;
         if (carried == 0) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <span>
 #include <vector>
 
 #include "base/polling.h"
@@ -21,16 +22,16 @@ constexpr std::int64_t kOne = PixelShares::kOne;
 // The deviations of the Gaussians, in pixels. One is as wide as kWide spacings of the samples or,
 // where most pixels have one, of the others. Where spacings differ, there are more, each twice as
 // wide as the one before.
-std::vector<double> deviations_of(const PixelShares& shares) {
+std::vector<double> deviations_of(const PixelShares& shares, std::span<const std::int32_t> parts) {
     constexpr double kWide = 0.7, kLeast = 1, kMost = 64;
-    std::vector<std::uint64_t> at_share(kOne / 2 +
-                                        1);  // samples, or pixels without one, in 1 / kOne
+    // Samples, or pixels without one, in 1 / kOne.
+    std::vector<std::uint64_t> at_share(kOne / 2 + 1);
     std::uint64_t sum = 0;
-    for (std::uint32_t mass = 1; mass < shares.full; ++mass) {
-        const std::int64_t share = shares.of_mass(mass);
-        const auto minority = static_cast<std::size_t>(std::min(share, kOne - share));
-        at_share[minority] += minority * shares.pixels_of_mass[mass];
-        sum += minority * shares.pixels_of_mass[mass];
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (!shares.is_open(i)) continue;
+        const auto minority = static_cast<std::size_t>(std::min(parts[i] + 0L, kOne - parts[i]));
+        at_share[minority] += minority;
+        sum += minority;
     }
     if (sum == 0) return {};
     // The deviation for the share that a tenth, or nine tenths, of the minority have at most.
@@ -51,8 +52,10 @@ std::vector<double> deviations_of(const PixelShares& shares) {
 class PixelDescent {
 public:
     PixelDescent(const Raster& raster, bool wraps, const PixelShares& shares,
-                 std::vector<std::uint8_t>& taken, const std::vector<double>& deviations)
+                 std::span<const std::int32_t> parts, std::vector<std::uint8_t>& taken,
+                 const std::vector<double>& deviations)
         : shares_(shares),
+          parts_(parts),
           taken_(taken),
           wraps_(wraps),
           columns_(raster.columns),
@@ -132,8 +135,7 @@ private:
         for (const double one : line) weights.push_back(std::llround(one));
         std::vector<std::int32_t> seen(error_.size());
         for (std::size_t i = 0; i < seen.size(); ++i)
-            seen[i] =
-                static_cast<std::int32_t>(taken_[i] * kOne - shares_.of_mass(shares_.masses[i]));
+            seen[i] = static_cast<std::int32_t>(taken_[i] * kOne) - parts_[i];
         seen = summed(seen, weights, reach_x_, 0, kDroppedAlongX);
         seen = summed(seen, weights, 0, reach_y_, kDroppedAlongY);
         for (std::size_t i = 0; i < seen.size(); ++i) error_[i] += seen[i];
@@ -215,6 +217,7 @@ private:
     }
 
     const PixelShares& shares_;
+    std::span<const std::int32_t> parts_;
     std::vector<std::uint8_t>& taken_;
     bool wraps_;
     std::int64_t columns_;
@@ -230,8 +233,9 @@ private:
 
 void descend_on_pixels(const Raster& raster, bool wraps, const PixelShares& shares,
                        std::vector<std::uint8_t>& taken) {
-    const std::vector<double> deviations = deviations_of(shares);
-    if (!deviations.empty()) PixelDescent(raster, wraps, shares, taken, deviations).run();
+    const std::vector<std::int32_t> parts = shares.in_parts();
+    const std::vector<double> deviations = deviations_of(shares, parts);
+    if (!deviations.empty()) PixelDescent(raster, wraps, shares, parts, taken, deviations).run();
 }
 
 }  // namespace lacuna

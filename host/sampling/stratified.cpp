@@ -17,130 +17,133 @@ namespace {
 
 __extension__ using Wide = unsigned __int128;
 
-constexpr std::uint32_t kStream = 0x57a7;  // a stream of random numbers that no other sampler uses
+// Streams of random numbers that nothing else uses.
+constexpr std::uint32_t kStream = 0x57a7, kCurveStream = 0x57a8;
 
-// The cells of the curve: pixels, or equal parts of them where pixels are far from square.
-struct CurveCells {
-    const Field& field;
-    std::vector<std::uint16_t> masses;  // of pixels, from the lowest row up
-    std::uint32_t cut_x = 1;            // cells of a pixel
-    std::uint32_t cut_y = 1;
+// Into how many parts, on both axes, to cut cells that have this many points on average: at least
+// so many that parts have at most an eighth of a point.
+std::uint32_t least_cut(double points_a_cell) {
+    constexpr double kCellsAPoint = 8;
+    return static_cast<std::uint32_t>(
+        std::max(1.0, std::ceil(std::sqrt(kCellsAPoint * points_a_cell))));
+}
 
-    CurveCells(const Request& request, const Field& the_field, const Poll& poll)
-        : field(the_field), masses(relaxing::masses_of(field, poll)) {
-        constexpr double kMostCells = 1 << 28;
-        const double aspect =
-            request.domain.width / field.columns / (request.domain.height / field.rows);
-        const double most = kMostCells / static_cast<double>(masses.size());
-        const auto cut = [&](double wanted) {
-            return static_cast<std::uint32_t>(std::max(1.0, std::round(std::min(wanted, most))));
-        };
-        cut_x = cut(aspect);
-        cut_y = cut(1 / aspect);
-        const std::uint32_t more = further_cut(static_cast<double>(*request.count) /
-                                               (static_cast<double>(columns()) * rows()));
-        cut_x *= more;
-        cut_y *= more;
-    }
-    std::uint32_t columns() const { return field.columns * cut_x; }
-    std::uint32_t rows() const { return field.rows * cut_y; }
-    std::size_t pixel_of(Cell cell) const {
-        const auto column = static_cast<std::size_t>(cell.x) / cut_x;
-        const auto row = static_cast<std::size_t>(cell.y) / cut_y;
-        return row * field.columns + column;
-    }
-    // Cuts that many points a cell, on both axes. Where intervals of the cdf are squares, 4^k of
-    // them a cell, relaxed points keep traces of a square lattice. So cells are cut to bring the
-    // number near 2 * 4^k, where intervals are twice as long as wide.
-    static std::uint32_t further_cut(double points_a_cell) {
-        if (points_a_cell < 25) return 1;
-        const auto distance = [&](std::uint32_t cut) {  // a factor from 1 to 2
-            double left = points_a_cell / (cut * cut);
-            while (left >= 4) left /= 4;
-            return std::max(left / 2, 2 / left);
-        };
-        return std::min({1u, 3u, 5u}, [&](std::uint32_t a, std::uint32_t b) {
-            return distance(a) < distance(b);
-        });
-    }
-    std::uint64_t mass() const {
-        std::uint64_t sum = 0;
-        for (const std::uint16_t mass : masses) sum += mass;
-        return sum * cut_x * cut_y;
-    }
-};
+// The same where all cells have equally many points. Each square of the curve then has r 4^k
+// points, r from 1 to 4. With an r near 3 relaxed points have a third more power at low frequencies
+// than with others, so that cut is chosen, of those up to twice the least, which brings r nearest
+// to 2.
+std::uint32_t even_cut(double points_a_cell) {
+    const auto distance = [&](std::uint32_t cut) {  // a factor from 1 to 2
+        double points = points_a_cell / (double{1} * cut * cut);
+        while (points < 1) points *= 4;
+        while (points >= 4) points /= 4;
+        return std::max(points / 2, 2 / points);
+    };
+    const std::uint32_t least = least_cut(points_a_cell);
+    std::uint32_t best = least;
+    for (std::uint32_t cut = least + 1; cut < 2 * least; ++cut)
+        if (distance(cut) < distance(best)) best = cut;
+    return best;
+}
 
-// Follows the cdf along the curve, cell by cell, and puts points where it reaches their ranks.
+// Cells that the curve passes: pixels cut into parts, which are nearly square, so that the least
+// cells are small against the mean interval.
+PixelGrid grid_of(const Request& request, const Field& field) {
+    constexpr double kMostCells = 1 << 26;
+    const Domain& domain = request.domain;
+    const double aspect = domain.width / field.columns / (domain.height / field.rows);
+    const double most = kMostCells / static_cast<double>(field.importance.size());
+    const auto cut = [&](double wanted) {
+        return static_cast<std::uint32_t>(std::max(1.0, std::round(std::min(wanted, most))));
+    };
+    PixelGrid grid{field.columns, field.rows, cut(aspect), cut(1 / aspect), domain.wraps()};
+    const double points_a_cell =
+        static_cast<double>(*request.count) / static_cast<double>(grid.width() * grid.height());
+    const std::uint32_t more =
+        field.importance.size() == 1 ? even_cut(points_a_cell) : least_cut(points_a_cell);
+    grid.cut_x *= more;
+    grid.cut_y *= more;
+    return grid;
+}
+
+// Follows the cdf along the curve, square by square, and puts points where it reaches their ranks.
 class Walk {
 public:
-    Walk(const Request& request, const CurveCells& cells, OnCurve* listener)
-        : request_(request), cells_(cells), listener_(listener), mass_(cells.mass()) {
+    Walk(const Request& request, const PixelGrid& grid, const RandomCurve& curve, const Poll& poll,
+         OnCurve* listener)
+        : request_(request),
+          grid_(grid),
+          listener_(listener),
+          masses_(relaxing::masses_of(relaxing::field_or_even(request.field),
+                                      kMostMass / (double{1} * grid.cut_x * grid.cut_y), poll)),
+          phase_(curve.phase()) {
+        const std::uint64_t cells = std::uint64_t{grid.cut_x} * grid.cut_y;
+        for (const std::uint64_t mass : masses_) mass_ += mass * cells;
         points_.reserve(*request.count);
+        if (in_interval(0) < kOne) interval_ = 1;
         find_rank();
     }
 
-    // Which way the curve leaves a cell is known at its next one.
-    void enter(Cell cell) {
-        if (has_cell_) leave(cell.x - cell_.x, cell.y - cell_.y);
-        cell_ = cell;
-        has_cell_ = true;
+    void pass(const InPixel& part) {
+        const std::uint64_t mass = masses_[part.pixel] * part.cells();
+        const std::uint64_t end = before_ + mass;
+        for (; rank_ >> kShift < end && points_.size() < *request_.count; find_rank()) {
+            const Wide passed = rank_ - (Wide{before_} << kShift);  // less than mass << kShift
+            const auto share = static_cast<std::uint32_t>(passed / mass);
+            put(part, share);
+            if (listener_ != nullptr)
+                listener_->put(part.pixel, share * 0x1p-32 * static_cast<double>(part.cells()));
+        }
+        before_ = end;
+        if (listener_ != nullptr) listener_->leave(part.pixel, static_cast<double>(part.cells()));
     }
-    std::vector<Point> finish() {
-        leave(1, 0);
-        return std::move(points_);
-    }
+    std::vector<Point> finish() { return std::move(points_); }
 
 private:
     static constexpr unsigned kShift = 32;  // ranks are in 2^-32 of the unit of mass
+    static constexpr std::uint64_t kOne = std::uint64_t{1} << kShift;
+    static constexpr double kMostMass = 0x1p62;
 
-    void leave(std::int64_t dx, std::int64_t dy) {
-        const Way way = way_to(at_right_, at_top_, dx, dy);
-        const std::size_t pixel = cells_.pixel_of(cell_);
-        const std::uint64_t mass = cells_.masses[pixel];
-        const std::uint64_t end = before_ + mass;
-        for (; rank_ >> kShift < end && points_.size() < *request_.count; find_rank()) {
-            // Less than mass << kShift, which has 48 bits.
-            const auto in_cell = static_cast<std::uint64_t>(rank_ - (Wide{before_} << kShift));
-            const auto part = static_cast<std::uint32_t>(in_cell / mass);
-            put(way.at(part));
-            if (listener_ != nullptr) listener_->put(pixel, part * 0x1p-32);
-        }
-        before_ += mass;
-        if (listener_ != nullptr) listener_->leave(pixel);
-    }
-    void put(InCell at) {
-        const auto scaled = [](std::int64_t cell, std::uint32_t in_cell, std::uint32_t cells) {
-            return (static_cast<double>(cell) + (in_cell + 0.5) * 0x1p-16) / cells;
-        };
-        const Domain& domain = request_.domain;
+    void put(const InPixel& part, std::uint32_t share) {
+        const auto [x, y] = part.square.at(share);
         // These positions are so fine that a sum with the corner may be rounded to the upper edge.
-        const auto along = [](double corner, double side, double share) {
+        const auto along = [](double corner, double side, std::uint64_t lowest, double in_square,
+                              std::uint64_t all) {
+            const double cell = static_cast<double>(lowest) + in_square;
+            const auto cells = static_cast<double>(all);
             const double end = corner + side;
-            const double sum = corner + side * share;
+            const double sum = corner + side * ((cell < cells ? cell : cell - cells) / cells);
             return sum < end ? sum : std::nextafter(end, corner);
         };
-        points_.push_back({along(domain.x0, domain.width, scaled(cell_.x, at.x, cells_.columns())),
-                           along(domain.y0, domain.height, scaled(cell_.y, at.y, cells_.rows()))});
+        const Domain& domain = request_.domain;
+        points_.push_back({along(domain.x0, domain.width, part.x, x, grid_.width()),
+                           along(domain.y0, domain.height, part.y, y, grid_.height())});
     }
-    // The rank of the next point: at random in the middle half of its interval of the cdf. In the
-    // middle itself the points of a uniform domain would be a square lattice, and anywhere in the
-    // interval they are less even after relaxing.
+    // Where a point lies after the beginning of its interval, in 2^-32 of an interval: the curve's
+    // random phase, and a random number in the middle half. In the middle itself the points of a
+    // uniform domain would be a square lattice, and anywhere in the interval they are less even
+    // after relaxing.
+    std::uint64_t in_interval(std::uint64_t interval) const {
+        constexpr std::uint64_t kQuarter = kOne / 4;
+        return phase_ + kQuarter +
+               (random_bits(request_.seed, interval, kStream).first >> (kShift + 1));
+    }
+    // The rank of the next point. Intervals begin one interval before the curve does, because the
+    // phase moves points on by up to one; the first and the last interval are the same one.
     void find_rank() {
-        const std::uint64_t i = points_.size();
-        const std::uint64_t random = random_bits(request_.seed, i, kStream).first >> (kShift + 1);
-        constexpr std::uint64_t kQuarter = std::uint64_t{1} << (kShift - 2);
-        rank_ = Wide{(i << kShift) + kQuarter + random} * mass_ / *request_.count;
+        const std::uint64_t i = interval_++;
+        rank_ =
+            Wide{(i << kShift) + in_interval(i % *request_.count) - kOne} * mass_ / *request_.count;
     }
 
     const Request& request_;
-    const CurveCells& cells_;
+    const PixelGrid& grid_;
     OnCurve* listener_;
-    std::uint64_t mass_;  // of all cells
-    Cell cell_{0, 0};
-    bool has_cell_ = false;
-    bool at_right_ = false;  // the corner at which the curve enters the cell
-    bool at_top_ = false;
+    std::vector<std::uint64_t> masses_;  // of the cells of a pixel, from the lowest row up
+    std::uint64_t phase_;
+    std::uint64_t mass_ = 0;    // of all cells
     std::uint64_t before_ = 0;  // the mass of all earlier cells
+    std::uint64_t interval_ = 0;
     Wide rank_ = 0;
     std::vector<Point> points_;
 };
@@ -148,13 +151,14 @@ private:
 }  // namespace
 
 std::vector<Point> stratified_points(const Request& request, const Poll& poll, OnCurve* listener) {
-    const CurveCells cells(request, relaxing::field_or_even(request.field), poll);
-    if (listener != nullptr) listener->begin(std::uint64_t{cells.cut_x} * cells.cut_y);
-    Walk walk(request, cells, listener);
+    const PixelGrid grid = grid_of(request, relaxing::field_or_even(request.field));
+    const RandomCurve curve(grid, request.seed, kCurveStream);
+    if (listener != nullptr) listener->begin(std::uint64_t{grid.cut_x} * grid.cut_y);
+    Walk walk(request, grid, curve, poll, listener);
     std::size_t visited = 0;
-    for_each_on_curve(cells.columns(), cells.rows(), [&](Cell cell) {
+    curve.follow([&](const InPixel& part) {
         if (visited++ % kBetweenPolls == 0) poll();
-        walk.enter(cell);
+        walk.pass(part);
     });
     return walk.finish();
 }

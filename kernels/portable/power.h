@@ -11,7 +11,8 @@
 //   lattice points of one side    at most 2^21; times all lattice points at most 2^46
 //   a step                        256 to 511 units; so a side has less than 2^30 units, and the
 //                                 squared diagonal, `farthest`, is less than 2^61
-//   the mass of a lattice point   less than 2^16; so all masses together are less than 2^47
+//   all masses together           less than 2^49; times the lattice points of one side less than
+//                                 2^62
 #ifndef LACUNA_PORTABLE_POWER_H
 #define LACUNA_PORTABLE_POWER_H
 #include "distance.h"
@@ -39,6 +40,30 @@ struct RelaxLattice {
 };
 LACUNA_TYPEDEF(RelaxLattice)
 
+// The mass of a pixel's lattice points is stored as a significand of at most 21 bits and, from bit
+// 24 on, an exponent of at most 31. The masses of a leaf are counted in units of 2^e, where e is
+// the greatest exponent of its pixels with importance: rounded down, but at least 1 where there is
+// any. So 32 bits hold the sums over a leaf.
+#define MASS_BITS 21u
+#define MASS_EXPONENT_AT 24u
+LACUNA_FN u32 mass_in_leaf(u32 stored, u32 exponent) {
+    u32 significand = stored % (1u << MASS_EXPONENT_AT);
+    u32 mass = significand >> (exponent - (stored >> MASS_EXPONENT_AT));
+    return mass == 0u && stored != 0u ? 1u : mass;
+}
+
+LACUNA_FN u64 whole_mass(u32 stored) {
+    u64 significand = stored % (1u << MASS_EXPONENT_AT);
+    return significand << (stored >> MASS_EXPONENT_AT);
+}
+
+// Whether a sample stays where it is: without mass it has nowhere to go. A sample with less mass
+// than the lattice point below it has lost this point to one of many that crowd there; the lattice
+// is too coarse for them, and what it has lies elsewhere.
+LACUNA_FN bool stays(u64 mass, u32 stored) {
+    return mass == 0u || mass < whole_mass(stored);
+}
+
 // The position of lattice point `index` on an axis, in units.
 LACUNA_FN u32 lattice_place(u32 index, u32 step) {
     return index * step + step / 2u;
@@ -52,7 +77,7 @@ LACUNA_FN u64 power_of(u32 px, u32 py, u32 sx, u32 sy, u64 weight, u32 period_x,
 
 // The steps from the lattice point below the sample at `at` to lattice point `index` of an axis,
 // the shortest way, plus `count`, so that the result is not negative. It is at most 2 count, so the
-// sum over all points, weighted by mass, is at most 2^16 * 2^46 * 2 = 2^63.
+// sum over all points, weighted by mass, is at most 2^62 * 2 = 2^63.
 LACUNA_FN u32 moment_offset(u32 index, u32 at, u32 step, u32 count, u32 period) {
     u32 place = lattice_place(index, step);
     u32 straight = place > at ? place - at : at - place;
@@ -75,7 +100,7 @@ LACUNA_FN u32 centre_of_mass(u64 moment, u64 mass, u32 at, u32 step, u32 count, 
 
 // The change of a sample's weight relative to its area, in 1/65536: eta |mean - m| / (1.73 m), at
 // most eta mean / (2 m), and at most MOST_GROWTH. With eta = 1/2 the constants are 37/128 and
-// 32/128. Intermediate values are below 2^47 * 37 * 512 < 2^62.
+// 32/128. Intermediate values are below 2^49 * 32 * 512 = 2^63.
 #define MOST_GROWTH 262144u
 LACUNA_FN u64 weight_growth(u64 mass, u64 mean_mass) {
     u64 off = mass > mean_mass ? mass - mean_mass : mean_mass - mass;

@@ -56,8 +56,8 @@ LACUNA_END
 #define CROWDED 0xffffffffu
 
 // The id of a rival, 16 site + 3 y + x, names its site and image. Hints are for all leaves of the
-// lattice; `winners` are numbers of rivals. `limited` are sites with the weights that they may
-// have.
+// lattice; `exponents` are those of the masses in each leaf; `winners` are numbers of rivals.
+// `limited` are sites with the weights that they may have.
 // clang-format off
 #define LEVEL_SITES_BINDINGS(B) B(0, BOTH, Site, sites) B(1, BOTH, Bounds, node_boxes)          \
     B(2, BOTH, Wide, node_weights)
@@ -72,19 +72,21 @@ LACUNA_END
 #define ASSIGN_BINDINGS(B) B(0, READ, Site, sites) B(1, READ, u32, units)                       \
     B(2, READ, u32, tile_leaves) B(3, WRITE, u32, hints) B(4, READ, ShortLag, rivals)           \
     B(5, READ, u32, rival_ids) B(6, READ, u32, rival_counts) B(7, BOTH, u32, winners)           \
-    B(8, READ, u32, masses) B(9, SHARED, u32, shares) B(10, SHARED, u32, moments)               \
-    B(11, WRITE, u32, late) B(12, SHARED, u32, late_count) B(13, SHARED, u32, report)
+    B(8, READ, u32, masses) B(9, READ, u32, exponents) B(10, SHARED, u32, shares)               \
+    B(11, SHARED, u32, moments) B(12, WRITE, u32, late) B(13, SHARED, u32, late_count)          \
+    B(14, SHARED, u32, report)
 #define TELL_OWNERS_BINDINGS(B) B(0, READ, u32, units) B(1, READ, u32, tile_leaves)             \
     B(2, READ, ShortLag, rivals) B(3, READ, u32, rival_counts) B(4, READ, u32, masses)          \
     B(5, WRITE, u32, owners) B(6, SHARED, u32, report)
 #define ASSIGN_CROWDED_BINDINGS(B) B(0, READ, Site, sites) B(1, READ, Bounds, node_boxes)       \
     B(2, READ, Wide, node_weights) B(3, READ, u32, units) B(4, READ, u32, indices)              \
-    B(5, READ, u32, hints) B(6, READ, u32, masses) B(7, SHARED, u32, shares)                    \
-    B(8, SHARED, u32, moments) B(9, WRITE, u32, owners) B(10, SHARED, u32, report)
+    B(5, READ, u32, hints) B(6, READ, u32, masses) B(7, READ, u32, exponents)                   \
+    B(8, SHARED, u32, shares) B(9, SHARED, u32, moments) B(10, WRITE, u32, owners)              \
+    B(11, SHARED, u32, report)
 #define LIMIT_BINDINGS(B) B(0, READ, Site, sites) B(1, READ, Bounds, node_boxes)                \
     B(2, BOTH, Site, limited) B(3, SHARED, u32, report)
 #define MOVE_BINDINGS(B) B(0, BOTH, Site, sites) B(1, READ, u32, shares)                        \
-    B(2, READ, u32, moments)
+    B(2, READ, u32, moments) B(3, READ, u32, masses)
 // The id of a mover is its sample's number.
 #define FIND_CELLS_BINDINGS(B) B(0, READ, Mover, movers) B(1, SHARED, u32, counts)              \
     B(2, WRITE, u32, ranks)
@@ -99,10 +101,10 @@ LACUNA_END
 #define LACUNA_RELAX_BUFFERS(B)                                                                 \
     B(Site, sites) B(Bounds, node_boxes) B(Wide, node_weights) B(u32, units) B(u32, tile_leaves)\
     B(u32, indices) B(u32, hints) B(ShortLag, rivals) B(u32, rival_ids) B(u32, rival_counts)    \
-    B(u32, winners) B(u32, masses) B(u32, owners) B(u32, shares) B(u32, moments) B(u32, late)   \
-    B(u32, late_count) B(Site, limited) B(Mover, movers) B(u32, mover_ids) B(u32, ranks)        \
-    B(Mover, sorted_movers) B(u32, sorted_ids) B(u32, weights) B(u32, edges)                    \
-    B(u32, column_reaches)
+    B(u32, winners) B(u32, masses) B(u32, exponents) B(u32, owners) B(u32, shares)              \
+    B(u32, moments) B(u32, late) B(u32, late_count) B(Site, limited) B(Mover, movers)           \
+    B(u32, mover_ids) B(u32, ranks) B(Mover, sorted_movers) B(u32, sorted_ids) B(u32, weights)  \
+    B(u32, edges) B(u32, column_reaches)
 
 #define LACUNA_RELAX_KERNELS(K)                             \
     K(level_sites, SiteArguments, LEVEL_SITES_BINDINGS)                                         \

@@ -69,6 +69,14 @@ inline Field pixel_field() {
     return field;
 }
 
+// Each pixel differs from the next ones by up to 2^50.
+inline Field powers_field(std::uint32_t columns, std::uint32_t rows) {
+    Field field{columns, rows, {}};
+    for (std::uint32_t i = 0; i < columns * rows; ++i)
+        field.importance.push_back(std::ldexp(1, static_cast<int>(i * 37 % 51)));
+    return field;
+}
+
 inline std::vector<Scene> scenes() {
     using namespace lacuna::tests;
     const RelaxOptions torus = on(1, 1, Boundary::torus);
@@ -99,6 +107,8 @@ inline std::vector<Scene> scenes() {
         {"a ring on a torus", random_points(40, 1, 1, 11), ring_field(60, 60), torus},
         {"noise", random_points(60, 1, 1, 12), noise_field(48, 48, 3), torus},
         {"shares of a millionth", random_points(60, 1, 1, 13), sizes_field(48, 48, 4), box},
+        {"a step of 10^12", random_points(100, 1, 1, 20), step_field(41, 39, 1e12), box},
+        {"powers of two on a torus", random_points(200, 1, 1, 21), powers_field(37, 29), torus},
         {"one dark pixel", random_points(50, 1, 1, 14), one_dark_pixel_field(30, 30), torus},
         {"pixels three times as wide as tall", random_points(70, 3, 1, 15), ramp_field(20, 20),
          on(3, 1, Boundary::torus)},

@@ -103,7 +103,7 @@ TEST(SamplesOnPixels, FillTheMiddleOfAFieldAndGiveEachOtherPartItsShare) {
                     ++full;
                     ASSERT_EQ(samples[pixel], 1) << count << ", pixel " << pixel;
                 }
-                EXPECT_NEAR(got, fair, 4) << count << " at " << x << ", " << y;
+                EXPECT_NEAR(got, fair, 5) << count << " at " << x << ", " << y;
             }
         EXPECT_GT(full, 100u) << count;
         EXPECT_EQ(std::accumulate(samples.begin(), samples.end(), 0), static_cast<int>(count));

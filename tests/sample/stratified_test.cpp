@@ -38,36 +38,61 @@ Request stratified(std::uint64_t count, const Field& field) {
     return request;
 }
 
-TEST(ACurve, VisitsEveryCellOfAGridOnceAndGoesFromNeighbourToNeighbour) {
-    for (std::uint32_t columns = 1; columns <= 40; ++columns)
-        for (std::uint32_t rows = 1; rows <= 40; ++rows) {
-            std::vector<int> visits(std::size_t{columns} * rows);
-            std::vector<Cell> cells;
-            for_each_on_curve(columns, rows, [&](Cell cell) {
-                ++visits.at(static_cast<std::size_t>(cell.y) * columns +
-                            static_cast<std::size_t>(cell.x));
-                cells.push_back(cell);
-            });
-            ASSERT_TRUE(std::all_of(visits.begin(), visits.end(), [](int one) { return one == 1; }))
-                << columns << " x " << rows;
-            int diagonal = 0;
-            for (std::size_t i = 1; i < cells.size(); ++i) {
-                const auto dx = std::abs(cells[i].x - cells[i - 1].x);
-                const auto dy = std::abs(cells[i].y - cells[i - 1].y);
-                ASSERT_LE(std::max(dx, dy), 1);
-                diagonal += static_cast<int>(dx + dy == 2);
+// Calls look(curve, grid) for grids of many shapes, in boxes and on tori.
+template <typename Look>
+void for_each_grid(std::uint32_t cut, const Look& look) {
+    for (const bool wraps : {false, true})
+        for (std::uint32_t columns = 1; columns <= 40; columns += columns < 8 ? 1 : 5)
+            for (std::uint32_t rows = 1; rows <= 40; rows += rows < 8 ? 1 : 5) {
+                const PixelGrid grid{columns, rows, cut, cut + 2, wraps};
+                look(RandomCurve(grid, std::uint64_t{columns} * rows, 1), grid);
             }
-            ASSERT_LE(diagonal, 1) << columns << " x " << rows;
-        }
 }
 
-TEST(ACurve, GoesThroughACellFromOneCornerToTheNext) {
-    const InCell first = at_rank(0), last = at_rank(~0U);
+TEST(ACurve, VisitsEveryPixelOnceAndGoesFromNeighbourToNeighbourInTheGrid) {
+    for_each_grid(1, [](const RandomCurve&, PixelGrid grid) {
+        grid.cut_y = 1;
+        std::vector<int> visits(std::size_t{grid.columns} * grid.rows);
+        std::vector<InPixel> parts;
+        RandomCurve(grid, grid.columns, 1).follow([&](const InPixel& part) {
+            ++visits.at(part.pixel);
+            parts.push_back(part);
+        });
+        ASSERT_EQ(std::count(visits.begin(), visits.end(), 1),
+                  static_cast<std::ptrdiff_t>(visits.size()))
+            << grid.columns << " x " << grid.rows;
+        std::size_t jumps = 0;
+        for (std::size_t i = 1; i < parts.size(); ++i) {
+            const auto apart = [](std::uint64_t a, std::uint64_t b, std::uint64_t cells) {
+                const std::uint64_t way = a < b ? b - a : a - b;
+                return std::min(way, cells - way);
+            };
+            jumps += apart(parts[i].x, parts[i - 1].x, grid.columns) +
+                         apart(parts[i].y, parts[i - 1].y, grid.rows) >
+                     1;
+        }
+        EXPECT_LE(jumps, grid.columns + grid.rows) << grid.columns << " x " << grid.rows;
+    });
+}
+
+TEST(ACurve, PassesAllCellsOfAPixelInSquares) {
+    for_each_grid(5, [](const RandomCurve& curve, const PixelGrid& grid) {
+        std::vector<std::uint64_t> cells(std::size_t{grid.columns} * grid.rows);
+        curve.follow([&](const InPixel& part) {
+            cells.at(part.pixel) += part.cells();
+            ASSERT_EQ(part.x / grid.cut_x + part.y / grid.cut_y * grid.columns, part.pixel);
+        });
+        for (const std::uint64_t one : cells) ASSERT_EQ(one, grid.cut_x * grid.cut_y);
+    });
+}
+
+TEST(ACurve, GoesThroughASquareFromOneCornerToTheNext) {
+    const InSquare first = at_rank(0), last = at_rank(~0U);
     EXPECT_EQ(first.x + first.y + last.y, 0U);
     EXPECT_EQ(last.x, 65535U);
-    InCell before = first;
+    InSquare before = first;
     for (std::uint32_t rank = 1; rank < 100'000; ++rank) {
-        const InCell at = at_rank(rank);
+        const InSquare at = at_rank(rank);
         ASSERT_EQ(std::abs(static_cast<int>(at.x - before.x)) +
                       std::abs(static_cast<int>(at.y - before.y)),
                   1);
@@ -75,42 +100,44 @@ TEST(ACurve, GoesThroughACellFromOneCornerToTheNext) {
     }
 }
 
-// Where a cell ends the next one begins: within it and across its sides the curve is unbroken.
-TEST(ACurve, EntersEachCellWhereItLeftTheLast) {
-    bool at_right = false, at_top = false;
-    bool has_last = false;
-    double x = 0, y = 0;
-    Cell cell{0, 0};
-    for_each_on_curve(24, 10, [&](Cell next) {
-        if (next.x == 0 && next.y == 0) return;
-        const Way way = way_to(at_right, at_top, next.x - cell.x, next.y - cell.y);
-        const auto position = [&](std::uint32_t rank) {
-            const InCell in = way.at(rank);
-            return Point{static_cast<double>(cell.x) + in.x / 65536.0,
-                         static_cast<double>(cell.y) + in.y / 65536.0};
-        };
-        const Point begin = position(0), end = position(~0U);
-        if (has_last) {
-            EXPECT_LE(std::hypot(begin.x - x, begin.y - y), 2 / 65536.0);
-        }
-        x = end.x;
-        y = end.y;
-        has_last = true;
-        cell = next;
+// Where a square ends the next one begins, whichever size they have.
+TEST(ACurve, EntersEachSquareWhereItLeftTheLast) {
+    Point end{0, 0};
+    const auto position = [](const Square& square, std::uint32_t rank) {
+        const auto [x, y] = square.at(rank);
+        return Point{static_cast<double>(square.lowest().x) + x,
+                     static_cast<double>(square.lowest().y) + y};
+    };
+    follow_curve(Square{{0, 0}, {1, 0}, {0, 1}, 64}, [&](const Square& square) {
+        if (square.side > 4 || (square.side > 1 && square.corner.x > 20)) return true;
+        const Point begin = position(square, 0);
+        EXPECT_LE(std::hypot(begin.x - end.x, begin.y - end.y), 8 / 65536.0);
+        end = position(square, ~0U);
+        return false;
     });
+    EXPECT_NEAR(end.x, 64, 8 / 65536.0);
 }
 
-// A square is a stretch of the curve: it has its share to within one, and the half interval in
-// which a point may lie.
+// A square cuts intervals of the curve, about in proportion to the root of its share. With points
+// at random the mean square deviation is the share, which is at least 2.6 times its root.
 TEST(AStratifiedStart, GivesEverySquareOfAnEmptyDomainItsShare) {
-    for (const std::uint64_t count : {1000u, 4096u, 5000u}) {
-        std::vector<int> squares(9 * 64);
-        for (const Point& point : sample(stratified(count)).points)
-            ++squares.at(static_cast<std::size_t>(point.y * 24) * 24 +
-                         static_cast<std::size_t>(point.x * 24));
-        const double share = static_cast<double>(count) / 576;
-        for (const int square : squares) EXPECT_NEAR(square, share, 1.5) << count;
-    }
+    for (const Boundary boundary : {Boundary::box, Boundary::torus})
+        for (const std::uint64_t count : {1000u, 4096u, 5000u}) {
+            double squared = 0;
+            constexpr std::uint64_t kSeeds = 5;
+            for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+                std::vector<int> squares(12 * 12);
+                Request request = stratified(count, seed);
+                request.domain.boundary = boundary;
+                for (const Point& point : sample(request).points)
+                    ++squares.at(static_cast<std::size_t>(point.y * 12) * 12 +
+                                 static_cast<std::size_t>(point.x * 12));
+                const double share = static_cast<double>(count) / 144;
+                for (const int square : squares) squared += std::pow(square - share, 2);
+            }
+            EXPECT_LT(squared / (kSeeds * 144), 0.7 * std::sqrt(static_cast<double>(count) / 144))
+                << count;
+        }
 }
 
 TEST(AStratifiedStart, HasTheCountAskedForOnEveryShapeOfPictureAndNoPointOnWhite) {
@@ -139,7 +166,7 @@ TEST(AStratifiedStart, DividesAWidePixelEvenly) {
     std::vector<int> squares(100);
     for (const Point& point : sample(request).points)
         ++squares.at(static_cast<std::size_t>(point.x));
-    for (const int square : squares) EXPECT_NEAR(square, 10, 1);
+    for (const int square : squares) EXPECT_NEAR(square, 10, 3);
 }
 
 // Isolated lines and squares of 1 to 40 pixels on white.
@@ -196,7 +223,7 @@ TEST_P(FairShares, AreWhatEveryShapeHasBeforeAndAfterRelaxing) {
         const std::vector<int> counts = shapes.counts(points);
         for (std::size_t i = 0; i < counts.size(); ++i) {
             const double fair = static_cast<double>(GetParam()) * shapes.areas[i] / all;
-            EXPECT_NEAR(counts[i], fair, std::max(1.5, 0.05 * fair)) << shapes.areas[i];
+            EXPECT_NEAR(counts[i], fair, std::max(3.0, 0.05 * fair)) << shapes.areas[i];
         }
     }
 }

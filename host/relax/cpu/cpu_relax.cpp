@@ -64,7 +64,7 @@ public:
 
     void rest() override {
         find_moved(WHOLE_WAY);
-        const auto is_lost = [&](const Site& site) { return lattice_.mass_under(site) == 0; };
+        const auto is_lost = [&](const Site& site) { return lattice_.stored_below(site) == 0; };
         if (std::any_of(moved_.begin(), moved_.end(), is_lost)) {
             const PixelTree pixels(lattice_, [&] { workers_.poll(); });
             const Scene scene = this->scene();
@@ -144,10 +144,10 @@ private:
         for (std::uint32_t row = pixel_of_row_[box.bottom]; row <= pixel_of_row_[box.top - 1];
              ++row) {
             const auto first =
-                lattice_.mass.begin() + static_cast<std::ptrdiff_t>(row) * numbers_.pixel_columns;
+                lattice_.masses.begin() + static_cast<std::ptrdiff_t>(row) * numbers_.pixel_columns;
             if (std::any_of(first + pixel_of_column_[box.left],
                             first + pixel_of_column_[box.right - 1] + 1,
-                            [](std::uint16_t mass) { return mass != 0; }))
+                            [](std::uint32_t mass) { return mass != 0; }))
                 return true;
         }
         return false;
@@ -228,7 +228,7 @@ private:
     void find_moved(std::uint32_t way) {
         for_chunks([&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                moved_[i] = moved(numbers_, sites_[i], shares_[i], way);
+                moved_[i] = moved(lattice_, sites_[i], shares_[i], way);
         });
     }
 

@@ -164,16 +164,16 @@ private:
 };
 
 std::vector<std::uint8_t> importance_of(const Lattice& lattice) {
-    std::vector<std::uint8_t> all(lattice.mass.size());
-    std::transform(lattice.mass.begin(), lattice.mass.end(), all.begin(),
-                   [](std::uint16_t mass) { return static_cast<std::uint8_t>(mass != 0); });
+    std::vector<std::uint8_t> all(lattice.masses.size());
+    std::transform(lattice.masses.begin(), lattice.masses.end(), all.begin(),
+                   [](std::uint32_t mass) { return static_cast<std::uint8_t>(mass != 0); });
     return all;
 }
 
 }  // namespace
 
 PixelTree::PixelTree(const Lattice& lattice, const Poll& poll)
-    : rows_(static_cast<std::uint32_t>(lattice.mass.size() / lattice.numbers.pixel_columns)),
+    : rows_(static_cast<std::uint32_t>(lattice.masses.size() / lattice.numbers.pixel_columns)),
       squares_(rows_, lattice.numbers.pixel_columns, importance_of(lattice), poll) {}
 
 Site nearest_point(const Scene& scene, const PixelTree& pixels, std::uint32_t site,

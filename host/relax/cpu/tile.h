@@ -162,6 +162,7 @@ private:
         std::uint64_t all() const { return packed[0] + packed[1]; }
     };
     std::vector<Sum> sums_;
+    std::uint32_t exponent_ = 0;  // of the leaf's masses
     // For each lattice point of a leaf: its mass and count, packed, and the candidate that gets it.
     std::array<std::uint64_t, kLeafPoints> masses_{};
     std::array<std::uint32_t, kLeafPoints> who_{};

@@ -11,10 +11,10 @@
 namespace lacuna::relaxing::cpu {
 namespace {
 
-// Three sums over a leaf's lattice points in one number: masses, from bit 24 the count of points
-// with mass, from bit 32 masses times u. For 64 points they are below 2^22, 2^7 and 2^25.
-constexpr std::uint64_t kOnePoint = 1u << 24;
-constexpr int kMomentBits = 32;
+// Three sums over a leaf's lattice points in one number: masses, from bit 28 the count of points
+// with mass, from bit 35 masses times u. For 64 points they are below 2^27, 2^7 and 2^29.
+constexpr std::uint64_t kOnePoint = 1u << 28;
+constexpr int kMomentBits = 35;
 // What a mass of 1 adds to these sums in each column of a leaf, without the count.
 constexpr auto kInColumn = [] {
     std::array<std::uint64_t, Tile::kLeaf> sums{};
@@ -136,6 +136,7 @@ void Tile::fetch_masses(const Box& leaf) {
     const std::uint32_t width = leaf.right - leaf.left;
     if (width < kLeaf || leaf.top - leaf.bottom < kLeaf) masses_.fill(0);
     const Lattice& lattice = scene_->lattice;
+    exponent_ = lattice.exponent_at(box_.left + leaf.left, box_.bottom + leaf.bottom);
     const std::uint32_t* const pixels = &scene_->pixel_of_column[box_.left + leaf.left];
     std::uint32_t last_row = NO_OWNER;
     for (std::uint32_t v = 0; v < leaf.top - leaf.bottom; ++v) {
@@ -146,16 +147,18 @@ void Tile::fetch_masses(const Box& leaf) {
             continue;
         }
         last_row = row;
-        const std::uint16_t* const masses =
-            &lattice.mass[std::size_t{row} * lattice.numbers.pixel_columns];
-        const auto fetch = [&](std::uint32_t u) {
-            const std::uint64_t mass = masses[pixels[u]];
+        const std::uint32_t* const masses =
+            &lattice.masses[std::size_t{row} * lattice.numbers.pixel_columns];
+        const auto fetch = [&](std::uint32_t u, std::uint64_t mass) {
             of_row[u] = mass * kInColumn[u] + (mass != 0 ? kOnePoint : 0);
         };
-        if (width == kLeaf)  // nearly always: a loop of fixed length
-            for (std::uint32_t u = 0; u < kLeaf; ++u) fetch(u);
+        if (exponent_ != 0)
+            for (std::uint32_t u = 0; u < width; ++u)
+                fetch(u, portable::mass_in_leaf(masses[pixels[u]], exponent_));
+        else if (width == kLeaf)  // nearly always: a loop of fixed length
+            for (std::uint32_t u = 0; u < kLeaf; ++u) fetch(u, masses[pixels[u]]);
         else
-            for (std::uint32_t u = 0; u < width; ++u) fetch(u);
+            for (std::uint32_t u = 0; u < width; ++u) fetch(u, masses[pixels[u]]);
     }
 }
 
@@ -216,6 +219,7 @@ void Tile::add_to_parts(const Box& leaf) {
         for (const std::uint32_t one : winners_)
             sums_[one].moment_y += sums_[one].all() % kOnePoint;
     }
+    const std::uint32_t exponent = exponent_;
     for (const std::uint32_t one : winners_) {
         const std::uint64_t packed = sums_[one].all();
         if (packed == 0) continue;
@@ -223,9 +227,9 @@ void Tile::add_to_parts(const Box& leaf) {
         const std::uint64_t mass = packed % kOnePoint;
         part.points +=
             static_cast<std::uint32_t>(packed % (std::uint64_t{1} << kMomentBits) / kOnePoint);
-        part.mass += mass;
-        part.moment_x += (packed >> kMomentBits) + mass * leaf.left;
-        part.moment_y += sums_[one].moment_y + mass * leaf.bottom;
+        part.mass += mass << exponent;
+        part.moment_x += ((packed >> kMomentBits) + mass * leaf.left) << exponent;
+        part.moment_y += (sums_[one].moment_y + mass * leaf.bottom) << exponent;
     }
 }
 

@@ -66,9 +66,11 @@ public:
         put<std::uint32_t>(memory_.units, tiles_.numbers);
         put<std::uint32_t>(memory_.tile_leaves, tiles_.leaves);
         put<std::uint32_t>(memory_.indices, indices_);
-        std::vector<std::uint16_t> masses = lattice.mass;
-        masses.resize((masses.size() + 1) / 2 * 2);  // padded to whole words
-        put<std::uint16_t>(memory_.masses, masses);
+        put<std::uint32_t>(memory_.masses, lattice.masses);
+        // The queue reads it until restore() has waited.
+        const std::vector<std::uint32_t> exponents(lattice.exponents.begin(),
+                                                   lattice.exponents.end());
+        put<std::uint32_t>(memory_.exponents, exponents);
         queue_->fill(memory_.hints, NO_OWNER, memory_.hints.words());
         queue_->fill(memory_.report, 0, REPORT_WORDS);
         restore(sites);
@@ -115,7 +117,7 @@ public:
         std::optional<cpu::PixelTree> pixels;
         for (std::uint32_t i = 0; i < moved.size(); ++i) {
             if (i % kSitesBetweenPolls == 0) poll();
-            if (lattice_.mass_under(moved[i]) != 0) continue;
+            if (lattice_.stored_below(moved[i]) != 0) continue;
             if (!pixels) pixels.emplace(lattice_, poll);
             moved[i] = cpu::nearest_point(scene, *pixels, i, shares[i].mass != 0, moved[i]);
         }

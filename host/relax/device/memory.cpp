@@ -39,7 +39,8 @@ std::vector<Need> needs_of(const Lattice& lattice, std::uint64_t sites, std::uin
             {&Memory::rival_ids, rivals},
             {&Memory::rival_counts, batch},
             {&Memory::winners, batch * TILE_SIDE * TILE_SIDE * WINNER_ROOM},
-            {&Memory::masses, (lattice.mass.size() + 1) / 2},
+            {&Memory::masses, lattice.masses.size()},
+            {&Memory::exponents, leaves},
             {&Memory::shares, 4 * sites},
             {&Memory::moments, 4 * sites},
             {&Memory::late, leaves},
@@ -57,7 +58,7 @@ void mark_leaves(const Lattice& lattice, std::uint32_t row, std::uint32_t i,
     if (bottom >= end) return;
     for (std::uint32_t y = bottom / numbers.cut_y; y <= (end - 1) / numbers.cut_y; ++y)
         for (std::uint32_t x = 0; x < numbers.pixel_columns; ++x) {
-            if (lattice.mass[std::size_t{y} * numbers.pixel_columns + x] == 0) continue;
+            if (lattice.masses[std::size_t{y} * numbers.pixel_columns + x] == 0) continue;
             const std::uint32_t last = ((x + 1) * numbers.cut_x - 1) / LEAF_SIDE;
             for (std::uint32_t leaf = x * numbers.cut_x / LEAF_SIDE; leaf <= last; ++leaf)
                 leaves[leaf / TILE_SIDE] |= 1u << (i * TILE_SIDE + leaf % TILE_SIDE);

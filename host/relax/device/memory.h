@@ -28,10 +28,6 @@ Tiles tiles_of(const Lattice& lattice);
 constexpr std::uint32_t tiles_in(std::uint32_t points) {
     return (points - 1) / (TILE_SIDE * LEAF_SIDE) + 1;
 }
-constexpr std::uint32_t leaves_in(std::uint32_t points) {
-    return (points - 1) / LEAF_SIDE + 1;
-}
-
 // The level of the root of a tree over `sites` sites, at least 1; the index where a level begins.
 std::uint32_t depth_of(std::size_t sites);
 std::uint32_t begin_of_level(std::uint32_t depth, std::uint32_t level);

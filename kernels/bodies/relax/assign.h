@@ -2,7 +2,6 @@
 // what each rival gets.
 #include "bodies/relax/late.h"
 #include "bodies/relax/leaf.h"
-#include "bodies/relax/masses.h"
 #include "bodies/relax/place.h"
 #include "bodies/relax/shares.h"
 #include "bodies/relax/unit_leaves.h"
@@ -45,22 +44,27 @@ BODY u32 keep_winners(MEMORY const Place place, const Area leaf, const u32 first
     return kept;
 }
 
-// Each lattice point's mass, plus ONE_POINT if it is not 0, so that one sum counts both. Outside
-// the lattice the mass is 0.
-#define ONE_POINT 0x400000u
+// Each lattice point's mass as it is stored. Outside the lattice it is 0.
 #define FETCH_MASSES(v)                                                                         \
     {                                                                                           \
         u32 pixel = (leaf.bottom + v) / a.lattice.cut_y * a.lattice.pixel_columns + left_pixel; \
         u32 rest = left_rest;                                                                   \
         for (u32 u = 0u; u < LEAF_SIDE; ++u) {                                                  \
-            u32 mass = 0u;                                                                      \
-            if (u < leaf.width && v < leaf.height) mass = mass_of_pixel(ON pixel);              \
-            mass##v[u] = mass + (mass != 0u ? ONE_POINT : 0u);                                  \
+            mass##v[u] = 0u;                                                                    \
+            if (u < leaf.width && v < leaf.height) mass##v[u] = AT(masses, pixel);              \
             ++rest;                                                                             \
             pixel += rest == a.lattice.cut_x ? 1u : 0u;                                         \
             rest = rest == a.lattice.cut_x ? 0u : rest;                                         \
         }                                                                                       \
     }
+// Most leaves have the exponent 0, with which masses are stored as they are.
+#define FIT_MASSES(v) \
+    for (u32 u = 0u; u < LEAF_SIDE; ++u) mass##v[u] = mass_in_leaf(mass##v[u], exponent);
+
+// Is added to a mass that is not 0, so that one sum counts both.
+#define ONE_POINT 0x4000000u
+#define COUNT_POINTS(v) \
+    for (u32 u = 0u; u < LEAF_SIDE; ++u) mass##v[u] += mass##v[u] != 0u ? ONE_POINT : 0u;
 
 // For each lattice point the least value up to now, and the order of the rival that has it.
 #define BEGIN_ROW(v)                       \
@@ -81,7 +85,7 @@ BODY u32 keep_winners(MEMORY const Place place, const Area leaf, const u32 first
     }
 
 // Rows are added from the top. After each row but the last all sums are added again, so that the
-// masses of row v count v times. No sum of masses reaches ONE_POINT: 64 * 65535 is less.
+// masses of row v count v times. No sum of a column's masses reaches ONE_POINT: 28 * 2^21 is less.
 #define SUM_UP(v)                                            \
     for (u32 u = 0u; u < LEAF_SIDE; ++u) {                   \
         above[u] += column[u];                               \
@@ -116,23 +120,31 @@ BODY Won with_column(const Won sum, const u32 u, const u32 column, const u32 abo
     return more;
 }
 
-BODY void give(MEMORY const LeafArguments a, const Area leaf, const Won won, const u32 id) {
+// `exponent` of the masses won.
+BODY void give(MEMORY const LeafArguments a, const Area leaf, const Won won, const u32 exponent,
+               const u32 id) {
     const u32 image = id % 16u;
     const Site site = LOAD(Site, sites, id / 16u);
     const u64 mass = won.mass;
-    add_to_share(ON id / 16u, won.points, won.mass,
-                 won.moment_u + mass * leaf_offset(leaf.left, site.x, a.lattice.step_x,
-                                                   a.lattice.columns, image % 3u),
-                 won.moment_v + mass * leaf_offset(leaf.bottom, site.y, a.lattice.step_y,
-                                                   a.lattice.rows, image / 3u));
+    const u64 moment_x = won.moment_u + mass * leaf_offset(leaf.left, site.x, a.lattice.step_x,
+                                                           a.lattice.columns, image % 3u);
+    const u64 moment_y = won.moment_v + mass * leaf_offset(leaf.bottom, site.y, a.lattice.step_y,
+                                                           a.lattice.rows, image / 3u);
+    add_to_share(ON id / 16u, won.points, mass << exponent, moment_x << exponent,
+                 moment_y << exponent);
 }
 
 BODY void share_out(MEMORY const LeafArguments a, const Area leaf, const Place place,
                     const u32 slot, const u32 kept) {
     const u32 left_pixel = leaf.left / a.lattice.cut_x;
     const u32 left_rest = leaf.left % a.lattice.cut_x;
+    const u32 exponent = AT(exponents, number_of_leaf(a, leaf));
     FROM_ROW_0(BEGIN_ROW)
     FROM_ROW_0(FETCH_MASSES)
+    if (exponent != 0u) {
+        FROM_ROW_0(FIT_MASSES)
+    }
+    FROM_ROW_0(COUNT_POINTS)
     for (u32 k = 0u; k < kept; ++k) {
         const Near near = near_at(ON place, AT(winners, slot + k));
         FROM_ROW_0(COMPARE)
@@ -149,7 +161,7 @@ BODY void share_out(MEMORY const LeafArguments a, const Area leaf, const Place p
         FROM_ROW_7(SUM_UP)
         Won won = nothing_won();
         for (u32 u = 0u; u < LEAF_SIDE; ++u) won = with_column(won, u, column[u], above[u]);
-        if (won.points != 0u) give(ON a, leaf, won, AT(rival_ids, rival));
+        if (won.points != 0u) give(ON a, leaf, won, exponent, AT(rival_ids, rival));
     }
 }
 

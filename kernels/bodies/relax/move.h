@@ -5,7 +5,10 @@
 BODY void move_site(MEMORY const SiteArguments a, const u32 i) {
     Site site = LOAD(Site, sites, i);
     const u64 mass = join_words(AT(shares, 4u * i + 2u), AT(shares, 4u * i + 3u));
-    if (mass != 0u) {
+    const u32 below =
+        AT(masses, site.y / a.lattice.step_y / a.lattice.cut_y * a.lattice.pixel_columns +
+                       site.x / a.lattice.step_x / a.lattice.cut_x);
+    if (!stays(mass, below)) {
         const u32 x =
             centre_of_mass(join_words(AT(moments, 4u * i), AT(moments, 4u * i + 1u)), mass, site.x,
                            a.lattice.step_x, a.lattice.columns, a.lattice.period_x);

@@ -1,7 +1,6 @@
 // The body of tell_owners: writes down the owner of each lattice point with importance. It is apart
 // from assign, because it is rarely needed and would cost time there on lavapipe.
 #include "bodies/relax/leaf.h"
-#include "bodies/relax/masses.h"
 #include "bodies/relax/place.h"
 #include "bodies/relax/unit_leaves.h"
 
@@ -34,7 +33,7 @@ BODY void serve_tell_owners(MEMORY const LeafArguments a, const u32 item) {
         if (place.count == CROWDED || v >= leaf.height) continue;
         const u32 pixels = (leaf.bottom + v) / a.lattice.cut_y * a.lattice.pixel_columns;
         for (u32 u = 0u; u < leaf.width; ++u)
-            if (mass_of_pixel(ON pixels + (leaf.left + u) / a.lattice.cut_x) != 0u)
+            if (AT(masses, pixels + (leaf.left + u) / a.lattice.cut_x) != 0u)
                 AT(owners, (leaf.bottom + v) * a.lattice.columns + leaf.left + u) =
                     order_of_owner(ON place, to_i32(u), to_i32(v)) / 16u;
     }

@@ -4,6 +4,7 @@
 
 #include <lacuna/lacuna.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -81,7 +82,7 @@ TEST_P(RelaxFaults, InOwnAreNoticed) {
          {"bodies/relax/assign.h", "to_i32(u) * near.along_x", "0"},
          {"bodies/relax/assign.h", "+ min(up, 0) > 0", "> 0"},
          {"bodies/relax/assign.h", "v < leaf.height) mass", "v < 7u) mass"},
-         {"bodies/relax/masses.h", "% 2u * 16u) & 0xffffu", "% 2u * 16u) & 0xfffu"},
+         {"bodies/relax/assign.h", "AT(masses, pixel);", "AT(masses, pixel) & 0xfffu;"},
          {"portable/site_tree.h", "<= to_i64(wins * 2u)", "<= to_i64(wins)"}});
 }
 
@@ -102,8 +103,24 @@ TEST_P(RelaxFaults, InGatherAreNoticed) {
                             {"bodies/relax/assign.h", "+= mass * u", "+= 0u"},
                             {"bodies/relax/assign.h", "above[u] += column[u]", "above[u] += 0u"},
                             {"bodies/relax/assign.h", "column / ONE_POINT", "1u"},
-                            {"bodies/relax/assign.h", "a.lattice.columns, image % 3u",
-                             "a.lattice.columns, 1u"}});
+                            {"bodies/relax/assign.h", "image % 3u);", "1u);"}});
+}
+
+TEST_P(RelaxFaults, InWideMassesAreNoticed) {
+    const tests::Scene powers{"powers of two", tests::random_points(200, 1, 1, 21),
+                              tests::powers_field(37, 29), tests::on(1, 1, Boundary::torus)};
+    expect_noticed(powers,
+                   {{"portable/power.h", "significand >> (exponent -", "significand >> (0u *"},
+                    {"portable/power.h", "mass == 0u && stored != 0u ? 1u", "false ? 1u"},
+                    {"bodies/relax/assign.h", "if (exponent != 0u)", "if (false)"},
+                    {"bodies/relax/assign.h", "moment_x << exponent", "moment_x"}});
+    // Many sites on a bright pixel: some lose its lattice points, and have others, far lighter.
+    const tests::Scene bright{
+        "a bright pixel", crowd_.points,
+        lacuna::tests::made_field(
+            30, 30, [](double x, double y) { return std::max(x, y) < 0.04 ? 1e6 : 1; }),
+        tests::on(1, 1, Boundary::box)};
+    expect_noticed(bright, {{"bodies/relax/move.h", "!stays(mass, below)", "mass != 0u"}});
 }
 
 // Few samples with many lattice points each: their moments take more than 32 bits.
@@ -136,7 +153,7 @@ TEST_P(RelaxFaults, InCrowdedLeavesAreNoticed) {
     expect_noticed(crowd_,
                    {{"bodies/relax/owner_of.h", "power < least ||", "false ||"},
                     {"bodies/relax/owner_of.h", "if (power <= least)", "if (false)"},
-                    {"bodies/relax/assign_crowded.h", "wide * moment_offset(", "moment_offset("},
+                    {"bodies/relax/assign_crowded.h", "mass * moment_offset(", "moment_offset("},
                     {"bodies/relax/assign_crowded.h", "row % LEAF_SIDE", "0u"},
                     {"bodies/relax/late.h", "= leaf;", "= 0u;"}});
 }
