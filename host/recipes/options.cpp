@@ -181,11 +181,13 @@ constexpr Row kRows[] = {
     {{"torus", "", Kind::flag, kAnalyze}, "The edges wrap: distances go across them"},
     {{"limit", "K", Kind::whole, kMade}, "Stop after K points"},
     {{"seed", "S", Kind::whole, kMade},
-     "Same seed, same points, whatever the backend (default 0). Give each colour channel a seed of "
-     "its own: where channels are equal, one seed puts their dots on the same spots"},
+     "Same seed, same points, whatever the backend (default 0); sets of different seeds are "
+     "independent. Give each colour channel a seed of its own: where channels are equal, one seed "
+     "puts their dots on the same spots"},
     {{"seed", "S", Kind::whole, kOrder},
      "Another seed gives another order of the points of a level (default 0)"},
-    {{"seed", "S", Kind::whole, kMask}, "Another seed gives another tile (default 0)"},
+    {{"seed", "S", Kind::whole, kMask},
+     "Another seed gives another tile, independent of this one (default 0)"},
     {{"frames", "N", Kind::whole, kMask},
      "The number of tiles, for the frames of a film, each in a file -o 'mask{frame}.png', from 0 "
      "on: the "

@@ -168,7 +168,8 @@ def sample(
         ``lines_per_radius`` or ``round_size`` is given. 'pixels' is that of ``on_pixels``.
     seed : None, int or numpy.random.Generator
         An int from 0 to 2^64 - 1 is the same as --seed of the command. A generator gives 64 random
-        bits; for None the system gives them. The result holds the seed.
+        bits; for None the system gives them. The result holds the seed. Sets of different seeds are
+        independent.
     progressive : bool
         Order the points so that the first k, for any k from 16 on, are spread as evenly as a set
         of k points; ``n`` may cut the sequence anywhere. In mode 'exact'.

@@ -28,7 +28,7 @@ def threshold_mask(
     columns, rows : int
         The tile's sides in pixels, each 8 to 1024. The time grows with the square of their product.
     seed : None, int or numpy.random.Generator
-        Another seed gives another tile; as for ``sample``.
+        Another seed gives another tile, independent of this one; as for ``sample``.
     frames : int, optional
         So many tiles, for the frames of a film: with all of them at most 1024 * 1024 pixels.
 
