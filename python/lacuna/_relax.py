@@ -20,7 +20,7 @@ def relax(
     *,
     iterations: Whole = 15,
     gaussian: Whole = 0,
-    gaussian_distance: SupportsFloat = 0.9,
+    gaussian_distance: SupportsFloat | None = None,
     domain: Domain | None = None,
     torus: bool | None = None,
     measure: bool = False,
@@ -46,8 +46,9 @@ def relax(
         How many steps of descent on the Gaussian energy (Ahmed, Ren & Wonka 2022) follow, at most
         10,000; 150 are usual. They take the power of low frequencies from about 1e-3 to 1e-9. Not
         with a field.
-    gaussian_distance : float
-        The distance, in mean spacings, 0 to 1, below which these steps push points apart.
+    gaussian_distance : float, optional
+        The distance, in mean spacings, 0 to 1, below which these steps push points apart. By
+        default 0.9.
     domain : tuple of float, optional
         (width, height) or (x0, y0, x1, y1). By default the PointSet's domain, else the field's
         shape with a longer side of 1, else (1, 1).

@@ -268,7 +268,7 @@ def sample(
     (True, True)
     """
     importance = importance_of(field, ellipses)
-    if ellipses is not None and scale is None and n is None:
+    if ellipses is not None and scale is None and n is None and classes is None:
         scale = 1
     kept = None if keep is None else points_array("keep", keep)
     kinds = classes_of(classes, between)

@@ -228,8 +228,6 @@ progress
         limit=limit, lines_per_radius=lines_per_radius, round_size=round_size, backend=backend,
         device=device, threads=threads, memory_limit=memory_limit,
     )  # fmt: skip
-    if margin is not None and paper_size is None:
-        raise BadRequest(f"margin {margin}: needs paper_size", "margin")
     palette = [] if inks is None else _core.inks_of(text("inks", inks))
     picture = _picture(image)
     first = None if start_points is None else points_array("start_points", start_points)

@@ -300,6 +300,7 @@ nb::dict relax_points(const PointArray& array, const Field* field, const nb::dic
     read(given, "gaussian", options.gaussian);
     read(given, "gaussian_distance", options.gaussian_distance);
     read(given, "measure", options.measure);
+    recipes::check_moves({}, moves_of(given));  // a distance of steps without steps
     Watch watch(std::move(progress));
     Relaxed relaxed;
     {

@@ -15,6 +15,7 @@
 #include "files/point_files.h"
 #include "options.h"
 #include "parts.h"
+#include "recipes/options.h"
 #include "recipes/read.h"
 #include "watch.h"
 
@@ -39,6 +40,14 @@ StippleOptions options_of(const nb::dict& given, const std::vector<Ink>& inks) {
     read(given, "ink_counts", options.ink_counts);
     read(given, "sharpen", options.tone.sharpen);
     read(given, "sharpen_amount", options.tone.sharpen_amount);
+    // The library cannot refuse these: some have one member, and some are nothing without others.
+    recipes::CommandLine line{recipes::kStipple, {}};
+    for (const char* const name : {"dot-size", "pens", "paper-size", "margin"}) {
+        const std::string argument = recipes::find_option(recipes::kStipple, name)->key();
+        if (given.contains(argument.c_str()))
+            line.given.push_back({name, {nb::cast<std::string>(given[argument.c_str()])}});
+    }
+    recipes::refuse_pairs(line);
     return options;
 }
 

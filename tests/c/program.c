@@ -142,11 +142,8 @@ static void what_is_not_understood_is_refused(void) {
     expect_error(lacuna_sample("0.1", NULL), "options 0.1: is no option");
     expect_error(lacuna_sample("--radius", NULL), "radius");
     expect_error(lacuna_sample("--radius 0.1 --radius 0.2", NULL), "is given twice");
-    expect_error(lacuna_sample("--radius 0,1", NULL), "0,1");
-    expect_error(lacuna_sample("--radius 0.1 --torus=yes", NULL), "torus");
     expect_error(lacuna_sample("--radius 0.1 --inside lakes.svg", NULL),
                  "options --inside: is for the command alone");
-    expect_error(lacuna_sample("--radius 0.1 --backend gpu", NULL), "gpu");
     expect_error(lacuna_sample(NULL, NULL), "radius");
     expect_error(lacuna_relax("", NULL, NULL, 3), "points NULL: must be 3 points");
     expect_error(lacuna_stipple("", NULL, 3), "picture NULL");

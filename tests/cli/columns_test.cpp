@@ -95,24 +95,16 @@ TEST(Columns, AreWrittenByEachCommandInEachFormatOrRefused) {
 }
 
 TEST(Columns, OfStandardOutputAreKeptInAFormatThatHasThem) {
-    expect_one_error(run({"sample", "--class", "a:.2"}), 2,
-                     {"--class a:.2: ", "class of each point", "standard output", "--format"});
     const Outcome csv = run({"sample", "--class", "a:.2", "--format", "csv"});
     EXPECT_EQ(csv.exit_code, 0) << csv.err;
     EXPECT_TRUE(csv.out.starts_with("x,y,class\n"));
 }
 
-TEST(Columns, ThatAreNotKnownAreRefusedByOrderAndRelax) {
+TEST(Columns, OfSizesAreMadeAnewByOrderAndRelax) {
     const Folder folder;
-    const std::string trees = folder.path("trees.csv"), out = folder.path("out.csv");
-    write_file(trees, "id,x,y\na,.1,.2\nb,.5,.6\n");
-    for (const char* const command : {"order", "relax"})
-        expect_one_error(run({command, trees, "-o", out}), 3, {"trees.csv: the column id"});
-    // Sizes of dots are made anew, where they are asked for.
-    const std::string dots = folder.path("dots.csv");
+    const std::string dots = folder.path("dots.csv"), out = folder.path("out.csv");
     write_file(dots, "x,y,radius,x_mm,y_mm,radius_mm\n.1,.2,.1,1,1,1\n.5,.6,.1,1,1,1\n");
     for (const char* const command : {"order", "relax"}) {
-        expect_one_error(run({command, dots, "-o", out}), 3, {"column radius", "--dot-size"});
         expect_success({command, dots, "--quiet", "--dot-size", "2mm", "-o", out});
         EXPECT_EQ(read(out).other_columns.size(), 4U);
     }

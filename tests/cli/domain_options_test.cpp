@@ -130,22 +130,6 @@ TEST(SampleAroundPlaces, HasTheirDomainWhateverOptionReadsThem) {
     }
 }
 
-// No point lies outside, and two islands cost no more for lying far apart.
-TEST(SampleInsidePolygons, LeavesNoPointOutsideAndCostsNothingBetweenIslands) {
-    const Folder folder;
-    const std::string islands = folder.path("islands.geojson"), csv = folder.path("a.csv");
-    write_file(islands,
-               R"({"type":"MultiPolygon","coordinates":[[[[0,0],[6,0],[6,6],[0,6],[0,0]]],)"
-               R"([[[999994,999994],[1e6,999994],[1e6,1e6],[999994,1e6],[999994,999994]]]]})");
-    ASSERT_EQ(sample_to(csv, {"--inside", islands, "--count", "50"}).exit_code, 0);
-    const std::vector<Point> points = files::read_points(csv);
-    EXPECT_EQ(points.size(), 50U);
-    for (const Point& p : points)
-        EXPECT_TRUE((p.x >= 0 && p.x <= 6 && p.y >= 0 && p.y <= 6) ||
-                    (p.x >= 999994 && p.y >= 999994))
-            << p.x << " " << p.y;
-}
-
 TEST(SampleInsidePolygons, TakesAnEdgeAndStretchesAPageOverTheDomain) {
     const Folder folder;
     const std::string svg = folder.path("half.svg");

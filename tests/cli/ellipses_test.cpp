@@ -91,25 +91,4 @@ TEST(Ellipses, AreDrawnAsLargeAsTheirRadiiSay) {
         << files::read_whole(svg);
 }
 
-TEST(Ellipses, AreRefusedInOneLine) {
-    const Folder folder;
-    const std::string array = folder.path("e.npy");
-    const auto refused = [](const Names& arguments) {
-        return run_with("sample", {"--quiet"}, arguments).err;
-    };
-    EXPECT_EQ(refused({"--stretch", "0.1"}),
-              "lacuna: --stretch 0.1: must be two radii and an angle in degrees, such as "
-              "0.02:0.005@30\n");
-    EXPECT_EQ(refused({"--stretch", "0.1:0@30"}),
-              "lacuna: --stretch 0.1:0@30: radii and angle must be finite, radii over 0, one at "
-              "most 1000 times the other\n");
-    files::write_whole(array, npy_of(1, 2, {0.1, 0.1, 0, 0.1, -1, 2}));
-    EXPECT_NE(
-        refused({"--ellipses", array})
-            .find(
-                "e.npy: row 0, column 1: radii 0.1 and -1 at an angle of 2: radii and angle must"),
-        std::string::npos)
-        << refused({"--ellipses", array});
-}
-
 }  // namespace ellipses_test

@@ -91,36 +91,4 @@ TEST(StippleFrames, MayBeKeptInsideAndDrawnByPens) {
     }
 }
 
-TEST(StippleFrames, AreCheckedBeforeTheFirstIsMade) {
-    const Folder folder;
-    frame(folder, 0);
-    frame(folder, 1);
-    const std::string all = folder.path("in/*.pgm"), out = folder.path("{frame}.svg");
-    const auto refusal = [&](const Names& more) {
-        return run(joined({"stipple", "--frames"}, more)).err;
-    };
-    const auto expect = [&](const Names& more, const std::string& part) {
-        const std::string err = refusal(more);
-        EXPECT_NE(err.find(part), std::string::npos) << err;
-        EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
-        EXPECT_FALSE(std::filesystem::exists(folder.path("0.svg"))) << part;
-    };
-    expect({folder.path("no/*"), "-o", out}, "must match pictures");
-    expect({all}, "needs an --output with {frame} in its name");
-    expect({all, "-o", folder.path("in/1{frame}.svg"), "-o", folder.path("in/{frame}.pgm"),
-            "--format", "svg"},
-           "must be another file than --frames ");
-    expect({all, "-o", folder.path("a.svg")}, "must have {frame} in its name");
-    expect_one_error(run({"stipple", folder.path("in/0.pgm"), "-o", out}), 2,
-                     {"{frame} in its name needs --frames"});
-    expect({all, "-o", out, "--relax", "0"}, "with --relax 0: ");
-    expect({all, "-o", out, "--inks", "cmyk"}, "with --inks: ");
-    std::filesystem::copy(folder.path("in/0.pgm"), folder.path("in/0.png"));
-    expect({folder.path("in/*"), "-o", out}, "0.pgm and ");
-    std::filesystem::remove(folder.path("in/0.png"));
-    std::filesystem::rename(grey_picture(folder, 3, 4, std::string(12, 'x')),
-                            folder.path("in/2.pgm"));
-    expect({all, "-o", out}, "3x4 pixels: must have the proportions of ");
-}
-
 }  // namespace

@@ -63,14 +63,14 @@ std::vector<Capability> capabilities(const Folder& folder) {
              {"--avoid", kept + ":.4"}},
             {"near and avoid",
              all(radius, {"--near", rocks, "--near", wet + ":.05", "--avoid", road + ":.01"}),
-             "--near",
+             "--avoid",
              {"--near", rocks, "--near", wet + ":.05", "--avoid", road + ":.01"}},
             {"keep", all(radius, {"--keep", kept}), ""},
             {"keep outside", all(radius, all(east, {"--keep", west})), "--keep", {"--keep", west}},
             {"keep outside, with an obstacle and a border",
              all(radius, all(east, {"--keep", west, "--avoid", kept + ":.5", "--border", ".01",
                                     "--edge", ".002"})),
-             "--keep",
+             "--avoid",
              {"--keep", west, "--avoid", kept + ":.5"}},
             {"classes", {"--class", "a:.06", "--class", "b:.02:3"}, ""},
             {"classes by union", all(kinds, {"--between", "union"}), ""},
@@ -113,9 +113,10 @@ TEST(AFile, OfEachCapabilityIsProvenOrAsksForWhatItLacksAndRefutedWithoutAPoint)
         if (one.asked.empty()) {
             EXPECT_EQ(alone.exit_code, 0) << alone.out << alone.err;
         } else {
-            // Of several files the first one is not enough.
+            // How a picture is read is asked for once there is one.
+            const bool is_reading = one.given[0] == "--field" && one.asked != "--field";
             const Outcome lacking =
-                one.given.size() == 2 ? alone : run({"verify", path, one.given[0], one.given[1]});
+                is_reading ? run({"verify", path, one.given[0], one.given[1]}) : alone;
             expect_one_error(lacking, 2, {"a.json: made with " + one.asked});
             expect_success(joined({"verify", path}, one.given));
         }
@@ -123,7 +124,9 @@ TEST(AFile, OfEachCapabilityIsProvenOrAsksForWhatItLacksAndRefutedWithoutAPoint)
         const Words claim = joined({"verify", csv}, one.options);
         expect_success(claim);
         std::string points = content_of(csv);
-        points.erase(points.rfind('\n', points.size() - 2) + 1);
+        // The first: the last may lie in the strip at an outline that is drawn to an edge.
+        const std::size_t first = points.find('\n') + 1;
+        points.erase(first, points.find('\n', first) + 1 - first);
         write_file(csv, points);
         EXPECT_EQ(run(claim).exit_code, 1);
     }

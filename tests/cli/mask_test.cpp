@@ -79,21 +79,4 @@ TEST(Mask, OfOneFrameSaysSo) {
     EXPECT_TRUE(outcome.err.starts_with("64 thresholds of 16 bits in 1 frame -> ")) << outcome.err;
 }
 
-TEST(Mask, RefusesOtherSidesBitsAndFiles) {
-    const Folder folder;
-    const std::string path = folder.path("a.png");
-    for (const auto& [words, told] : std::vector<std::pair<Words, std::string>>{
-             {{"6x64", "-o", path}, "SIZE 6x64: each side must be 8 to 1024 pixels"},
-             {{"64", "-o", path}, "SIZE 64: must be WIDTHxHEIGHT in pixels, such as 64x64"},
-             {{"64x64", "-o", path, "--bits", "9"}, "--bits 9: must be 8 or 16"},
-             {{"64x64", "-o", path, "--frames", "2"}, "must have {frame} in its name"},
-             {{"64x64", "-o", folder.path("{frame}.png")}, "{frame} in its name needs --frames"},
-             {{"64x64", "-o", folder.path("{frame}.png"), "--frames", "257"},
-              "--frames 257: must be 1 to 256 for this size"},
-             {{"8x8", "-o", folder.path("{frame}.png"), "--frames", "4000000000"},
-              "--frames 4000000000: must be at most 16384"},
-             {{"64x64", "-o", folder.path("a.svg")}, "the extension must be .png"}})
-        expect_one_error(run(joined({"mask"}, words)), 2, {told});
-}
-
 }  // namespace mask_test

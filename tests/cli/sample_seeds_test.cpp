@@ -49,8 +49,6 @@ TEST(SampleSeeds, TakesOneSeedAndSeedsInTheNamesOfFolders) {
     expect_success({"sample", "--count", "50", "--seeds", "3..3", "-o",
                     folder.path("{seed}-of-{seed}.txt"), "--quiet"});
     EXPECT_EQ(folder.names(), Names{"3-of-3.txt"});
-    expect_one_error(run({"sample", "--count", "50", "-o", folder.path("{seed}.txt")}), 2,
-                     {"{seed}.txt: {seed} in its name needs --seeds"});
 }
 
 TEST(SampleSeeds, TellsTheTotalsInOneLineAndInAReport) {
@@ -66,23 +64,6 @@ TEST(SampleSeeds, TellsTheTotalsInOneLineAndInAReport) {
     EXPECT_EQ(report["request"]["seeds"], Json({{"first", 0}, {"last", 99}}));
     EXPECT_FALSE(report["request"].contains("seed"));
     EXPECT_EQ(folder.names().size(), 101U);
-}
-
-TEST(SampleSeeds, ChecksTheFolderAndTheFileOfEachSeedBeforeTheWork) {
-    const Folder folder;
-    const auto refused = [&](const std::string& output, const std::string& named) {
-        const Outcome outcome =
-            run({"sample", "--radius", "0.1", "--seeds", "0..9", "-o", folder.path(output)});
-        expect_one_error(outcome, 3, {named});
-    };
-    for (const std::string seed : {"0", "1", "2", "3", "4", "6", "7", "8", "9"})
-        std::filesystem::create_directory(folder.path(seed));
-    refused("{seed}/a.txt", "5/a.txt: there is no folder");
-    refused("{seed}/../a{seed}.txt", "5/../a5.txt: there is no folder");
-    std::filesystem::create_directory(folder.path("7.txt"));
-    refused("{seed}.txt", "7.txt");
-    EXPECT_FALSE(std::filesystem::exists(folder.path("0/a.txt")));
-    EXPECT_FALSE(std::filesystem::exists(folder.path("0.txt")));
 }
 
 TEST(SampleSeeds, LeavesNoPartOfAFileWhereTheDiskIsFull) {

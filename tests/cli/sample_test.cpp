@@ -73,8 +73,6 @@ TEST(Sample, OnPixelsWritesAPictureWithAPixelForEach) {
                               "-o", folder.path("{seed}.png")});
     EXPECT_TRUE(sets.err.starts_with("2 sets of 300 points, 0.")) << sets.err;
     EXPECT_EQ(lacuna::pictures::read_image(folder.path("2.png")).rows, 25U);
-    expect_one_error(run({"sample", "--on-pixels", "40", "--count", "3"}), 2,
-                     {"--on-pixels 40: must be COLUMNSxROWS in pixels, such as 512x80"});
 }
 
 TEST(Sample, EndsWithOneLineAboutAFileUnlessQuiet) {

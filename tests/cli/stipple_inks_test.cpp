@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/refusals.h"
 #include "cli/stippling.h"
 #include "program.h"
 #include "text.h"
@@ -62,17 +61,6 @@ TEST(StippleInks, AreLayersAndColumns) {
     EXPECT_TRUE(contains(svg, "inkscape:label=\"1 red\""));
     EXPECT_TRUE(contains(svg, "inkscape:label=\"2 sea\""));
     EXPECT_EQ(content_of(drawing.path("a.csv")).substr(0, 8), "x,y,ink\n");
-}
-
-TEST(StippleInks, ThatCannotBeAreRefused) {
-    expect_refusals(
-        {{"blank.pgm", "P2 1 1 1 1"}}, "stipple -o a.svg",
-        {{"raccoon.png --inks mauve", 2, {"inks \"mauve\"", "cmyk", "#rrggbb"}},
-         {"raccoon.png --inks cmyk --black-ink x", 2, {"black-ink x", "number"}},
-         {"raccoon.png --inks red --scale 0.1", 2, {"--scale 0.1 with --inks: dots of inks"}},
-         {"raccoon.png --inks red --relax 0", 2, {"--relax 0: ", "at least 1 for inks"}},
-         {"raccoon.png --inks red --ink-counts x", 2, {"ink-counts x", "whole number"}},
-         {"blank.pgm --inks red", 3, {"blank.pgm", "white all over"}}});
 }
 
 }  // namespace

@@ -24,31 +24,6 @@ std::string refusal_of(const Request& request) {
     return tests::refusal_of([&] { check_kept_distances(request); });
 }
 
-TEST(KeptPoints, ThatAreTooCloseAreNamed) {
-    Request request;
-    request.radius = 0.25;
-    const std::vector<Point> keep{{0.75, 0.5}, {0.25, 0.5}, {0.5, 0.5}, {0.5, 0.625}};
-    request.keep = keep;
-    EXPECT_EQ(refusal_of(request),
-              "keep point 2 at (0.5, 0.5) and point 3 at (0.5, 0.625): are 0.125 apart: must be at "
-              "least 0.25, the radius");
-    request.keep = std::span(keep).first(3);
-    EXPECT_EQ(refusal_of(request), "accepted");
-}
-
-TEST(KeptPoints, AreComparedAroundTheEdgesOfATorus) {
-    Request request;
-    request.radius = 0.25;
-    const std::vector<Point> keep{{0.0625, 0.5}, {0.9375, 0.5}};
-    request.keep = keep;
-    EXPECT_EQ(refusal_of(request), "accepted");
-    request.domain.boundary = Boundary::torus;
-    EXPECT_EQ(
-        refusal_of(request),
-        "keep point 0 at (0.0625, 0.5) and point 1 at (0.9375, 0.5): are 0.125 apart: must be "
-        "at least 0.25, the radius");
-}
-
 TEST(KeptPoints, OfTheSamePlaceAreNamedHoweverMany) {
     Request request;
     request.radius = 1e-4;

@@ -118,32 +118,6 @@ std::string refusal(const Request& request) {
     return tests::refusal_of([&] { make_plan(request); });
 }
 
-TEST(Plan, RefusesARadiusThatIsNoLength) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double infinity = std::numeric_limits<double>::infinity();
-    const std::string must = ": must be a finite number greater than 0";
-    EXPECT_EQ(refusal(with_radius(0)), "radius 0" + must);
-    EXPECT_EQ(refusal(with_radius(-1)), "radius -1" + must);
-    EXPECT_EQ(refusal(with_radius(nan)), "radius nan" + must);
-    EXPECT_EQ(refusal(with_radius(infinity)), "radius inf" + must);
-}
-
-TEST(Plan, NamesAnyValueItRefuses) {
-    EXPECT_EQ(refusal(with_radius(-1e-320)),
-              "radius -1e-320: must be a finite number greater than 0");
-    EXPECT_EQ(refusal(with_radius(1e300)),
-              "radius 1e+300: must be at most 1.4142135623730951, the diagonal of the domain");
-}
-
-TEST(Plan, RefusesARadiusLargerThanTheDomain) {
-    EXPECT_EQ(refusal(with_radius(1.5)),
-              "radius 1.5: must be at most 1.4142135623730951, the diagonal of the domain");
-    EXPECT_EQ(refusal(with_radius(1.2)), "accepted");
-    Request torus = with_radius(1.2);
-    torus.domain.boundary = Boundary::torus;
-    EXPECT_EQ(refusal(torus), "radius 1.2: must be at most 1, the shorter side of the torus");
-}
-
 TEST(Plan, SaysHowMuchMemoryASmallRadiusNeeds) {
     Request request = with_radius(1e-5);
     request.place.memory_limit_bytes = 1'000'000'000;
@@ -175,49 +149,6 @@ TEST(Plan, RefusesRoundsThatNoMemoryHolds) {
     EXPECT_EQ(refusal(request), "accepted");
 }
 
-TEST(Plan, RefusesEnumsOutOfRange) {
-    Request request = with_radius(0.1);
-    request.mode = static_cast<Mode>(7);
-    EXPECT_EQ(refusal(request), "mode 7: must be Mode::exact, lines, cells, stratified or pixels");
-    request = with_radius(0.1);
-    request.domain.boundary = static_cast<Boundary>(2);
-    EXPECT_EQ(refusal(request), "boundary 2: must be Boundary::box or torus");
-    request = with_radius(0.1);
-    request.metric = static_cast<Metric>(-1);
-    EXPECT_EQ(refusal(request), "metric -1: must be Metric::min, mean or max");
-}
-
-TEST(Plan, SaysWhenTheUnitsRunOut) {
-    Request request = with_radius(1e-7);
-    request.limit = 10;
-    request.place.memory_limit_bytes = ~std::uint64_t{0};
-    EXPECT_EQ(refusal(request),
-              "radius 1e-07: must be at least 9.5367431640625e-07, the longer side / 2^20, or the "
-              "grid's units run out");
-}
-
-TEST(Plan, RefusesDomainsThatAreNone) {
-    Request request = with_radius(0.1);
-    request.domain.width = 0;
-    EXPECT_EQ(refusal(request), "domain 0x1: both sides must be finite numbers greater than 0");
-    request.domain.width = 1e6;
-    EXPECT_EQ(refusal(request),
-              "domain 1e+06x1: the longer side may be at most 1000 times the shorter");
-    request.domain.width = 1000;
-    EXPECT_EQ(refusal(request), "accepted");
-}
-
-TEST(Plan, RefusesCountsThatAreNone) {
-    Request request;
-    request.count = 0;
-    EXPECT_THROW(check_request(request), BadRequest);
-    request.count = 1'000'000'000'000;
-    EXPECT_THROW(check_radius_for_count(request, radius_expecting(request, 1e12)), BadRequest);
-    request.radius = 0.1;
-    EXPECT_THROW(check_request(request), BadRequest);
-    EXPECT_THROW(check_request(Request{}), BadRequest);
-}
-
 TEST(ACheckedRequest, IsSettled) {
     EXPECT_THROW(CheckedRequest(Request{}), BadRequest);
     Request request;
@@ -228,32 +159,6 @@ TEST(ACheckedRequest, IsSettled) {
     EXPECT_EQ(one->radius, 0.2);
     EXPECT_TRUE(one->classes.names.empty());
     EXPECT_EQ(one.with([](Request& changed) { changed.radius = 0.1; })->radius, 0.1);
-}
-
-TEST(Plan, RefusesMOutsideItsRange) {
-    for (const Mode mode : {Mode::exact, Mode::lines}) {
-        Request request = in_mode(mode, 0.1);
-        for (const std::uint32_t m : {0u, 1001u}) {
-            request.paper2011.lines_per_radius = m;
-            EXPECT_EQ(refusal(request),
-                      "lines-per-radius " + std::to_string(m) + ": must be between 1 and 1000");
-        }
-        request.paper2011.lines_per_radius.reset();
-        EXPECT_EQ(refusal(request), "accepted");
-    }
-}
-
-TEST(Plan, RefusesInExactWhatIsForLinesOnly) {
-    Request snap = in_mode(Mode::exact, 0.1);
-    snap.paper2011.snap = true;
-    EXPECT_EQ(refusal(snap), "snap with mode exact: is for mode lines only");
-    Request uniform_x = in_mode(Mode::exact, 0.1);
-    uniform_x.paper2011.uniform_x = true;
-    EXPECT_EQ(refusal(uniform_x), "uniform-x with mode exact: is for mode lines only");
-    for (Request request : {snap, uniform_x}) {
-        request.mode = Mode::lines;
-        EXPECT_EQ(refusal(request), "accepted");
-    }
 }
 
 }  // namespace plan_test

@@ -17,7 +17,12 @@
 namespace lacuna::recipes {
 namespace {
 
-using tests::refusal_of;
+// The option and the value that are refused; the messages are in tests/refusals.txt.
+template <typename Act>
+std::string refused_of(Act act) {
+    const std::string message = tests::refusal_of(act);
+    return message.substr(0, message.find(": "));
+}
 
 TEST(WholeNumbers, MayBeShortOrInGroupsOfThreeDigits) {
     const std::map<std::string, std::uint64_t> taken{
@@ -57,29 +62,19 @@ TEST(WholeNumbers, MayBeShortOrInGroupsOfThreeDigits) {
                                    " 5",      "1.000.000", "many",     "18446744073709551616",
                                    "10.000",  "1.500",     "1,000.000"}) {
         std::uint64_t value = 0;
-        EXPECT_EQ(refusal_of([&] { read("seed", text, value); }),
-                  "seed " + shown(text) +
-                      ": must be a whole number, such as 20000, 20,000 or 20k, at most "
-                      "18446744073709551615");
+        EXPECT_EQ(refused_of([&] { read("seed", text, value); }), "seed " + shown(text));
     }
     double radius = 0;
     read("radius", "0.125", radius);
     EXPECT_EQ(radius, 0.125);
-    std::uint32_t value = 0;
-    EXPECT_EQ(refusal_of([&] { read("threads", "4294967296", value); }),
-              "threads 4294967296: must be a whole number, such as 20000, 20,000 or 20k, at most "
-              "4294967295");
 }
 
 TEST(Numbers, AreReadAsAWhole) {
     double value = 0;
     read("radius", "-1e-2", value);
     EXPECT_EQ(value, -0.01);
-    for (const std::string text : {"", "5x", "0x1", " 0.1", "0.1 ", "1\n2", "+1", "1,5"})
-        EXPECT_EQ(refusal_of([&] { read("radius", text, value); }),
-                  "radius " + shown(text) + ": must be a number, such as 0.01 or 1e-2");
-    EXPECT_EQ(refusal_of([&] { read("radius", "1e400", value); }),
-              "radius 1e400: must be a number that a double can hold");
+    for (const std::string text : {"", "5x", "0x1", " 0.1", "0.1 ", "1\n2", "+1", "1,5", "1e400"})
+        EXPECT_EQ(refused_of([&] { read("radius", text, value); }), "radius " + shown(text));
 }
 
 TEST(Domains, HaveACrossBetweenTwoNumbers) {
@@ -87,12 +82,8 @@ TEST(Domains, HaveACrossBetweenTwoNumbers) {
     read_domain("domain", "2.5X1", domain);
     EXPECT_EQ(domain, (Domain{2.5, 1}));
     for (const std::string text : {"1", "1x1x1", "0,0,0+1x1x1", "axb", "", "x", "1x"})
-        EXPECT_TRUE(
-            refusal_of([&] { read_domain("domain", text, domain); })
-                .starts_with(
-                    "domain " + shown(text) +
-                    ": must be WIDTHxHEIGHT of a flat domain, two numbers such as 1x1 or 2.5x1, "))
-            << text;
+        EXPECT_EQ(refused_of([&] { read_domain("domain", text, domain); }),
+                  "domain " + shown(text));
 }
 
 TEST(Domains, MayHaveACornerBeforeAPlus) {
@@ -111,10 +102,7 @@ TEST(Domains, MayHaveACornerBeforeAPlus) {
     for (const std::string text :
          {"1,2+3", "1,2,3+4x5", "1+2+3x4", "1,2", "1,2x3", ",2+3x4", "1,+3x4", "1,2+x4", "1,2+3x",
           "1,2e+3x4", "1,2++3x4", "1, 2+3x4", "1,2 +3x4", "1,2+3x4+5", "+", ",", ",+x", "e+,e+x"})
-        EXPECT_TRUE(refusal_of([&] { domain_of(text); })
-                        .ends_with("or X0,Y0+WIDTHxHEIGHT with the lower left corner, such as "
-                                   "448000,5411000+2000x1500"))
-            << text;
+        EXPECT_EQ(refused_of([&] { domain_of(text); }), "domain " + shown(text));
 }
 
 TEST(Lengths, HaveAUnit) {
@@ -122,26 +110,15 @@ TEST(Lengths, HaveAUnit) {
     EXPECT_EQ(read_length("margin", "+2cm", 0), 20);
     EXPECT_EQ(read_length("margin", "1in", 0), 25.4);
     EXPECT_EQ(read_length("margin", "72pt", 0), 25.4);
-    for (const char* const text : {"3", "mm", "3km", "1 mm", "--1mm"})
-        EXPECT_EQ(refusal_of([&] { read_length("margin", text, 0); }),
-                  "margin " + shown(text) +
-                      ": must be a number and mm, cm, in or pt, such as "
-                      "0.5mm");
-    for (const char* const text : {"-1mm", "201in", "nanmm"})
-        EXPECT_EQ(refusal_of([&] { read_length("margin", text, 0); }),
-                  std::string("margin ") + text + ": must be 0mm to 200in long");
+    for (const char* const text : {"3", "mm", "3km", "1 mm", "--1mm", "-1mm", "201in", "nanmm"})
+        EXPECT_EQ(refused_of([&] { read_length("margin", text, 0); }), "margin " + shown(text));
 }
 
 TEST(Pens, AreOneDiameterOrTwoOrNone) {
     EXPECT_EQ(read_pens("dot-size", "0.5mm", false), (Pens{0.5, 0.5}));
     EXPECT_EQ(read_pens("dot-size", "0.5mm..1cm", true), (Pens{0.5, 10}));
     EXPECT_EQ(read_pens("dot-size", "radius", true), std::nullopt);
-    const auto refused = [](const std::string& text, bool has_tones) {
-        return refusal_of([&] { read_pens("dot-size", text, has_tones); });
-    };
-    EXPECT_EQ(refused("2mm..1mm", true), "dot-size 2mm..1mm: the first must not be the larger");
-    EXPECT_EQ(refused("0mm", true), "dot-size 0mm: must be 0.001mm to 200in long");
-    EXPECT_NE(refused("1mm..2mm", false), "accepted");
+    EXPECT_NE(refused_of([] { read_pens("dot-size", "1mm..2mm", false); }), "accepted");
 }
 
 TEST(Papers, AreASizeOrANameThatMayTurn) {
@@ -153,13 +130,9 @@ TEST(Papers, AreASizeOrANameThatMayTurn) {
     EXPECT_EQ(named.width_mm, 215.9);
     EXPECT_EQ(named.height_mm, 279.4);
     EXPECT_TRUE(named.may_turn);
-    for (const std::string text : {"A9", "20mm", "20x30", "axbmm", ""})
-        EXPECT_EQ(refusal_of([&] { read_paper("paper-size", text); }).substr(0, 10 + 1),
-                  "paper-size ")
-            << text;
-    for (const std::string text : {"0x20mm", "10x201in", "infx20mm"})
-        EXPECT_EQ(refusal_of([&] { read_paper("paper-size", text); }),
-                  "paper-size " + text + ": must be 1mm to 200in long");
+    for (const std::string text :
+         {"A9", "20mm", "20x30", "axbmm", "", "0x20mm", "10x201in", "infx20mm"})
+        EXPECT_EQ(refused_of([&] { read_paper("paper-size", text); }), "paper-size " + shown(text));
 }
 
 // The values of a line of text, after they were read into the library's options.
@@ -192,15 +165,6 @@ TEST(ALine, IsReadIntoTheMembersOfItsOptions) {
     EXPECT_EQ(line.text(0),
               "lacuna stipple './-a b.png' --sharpen 8:2 --gamma 1.5 --inks 'red,#0000ff' "
               "--ink-counts 70,1k --torus --seed 20,000 --relax 3");
-}
-
-TEST(ALine, IsRefusedForAWordThatIsNoneAndForAPair) {
-    CommandLine line{kStipple, {{"metric", {"most"}}}};
-    EXPECT_EQ(refusal_of([&] { options_of(line); }), "metric most: must be min, mean or max");
-    line.given = {{"metric", {"max"}}, {"inks", {"cmyk"}}};
-    EXPECT_EQ(refusal_of([&] { options_of(line); }),
-              "metric max with --inks: dots of inks begin stratified");
-    EXPECT_EQ(options_of(*(line.given.pop_back(), &line)).metric, Metric::max);
 }
 
 TEST(GivenOptions, AreThoseWhoseValuesAreNotTheUsual) {

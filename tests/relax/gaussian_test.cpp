@@ -241,24 +241,7 @@ TEST(Tables, are_the_same_on_every_machine) {
     }
 }
 
-TEST(GaussianOptionsGiven, out_of_range_are_refused) {
-    const std::vector<Point> points = random_points(50, 1, 1, 1);
-    const Field field = lacuna::tests::constant_field(4, 4);
-    const auto refusal = [&](auto change, const Field* importance = nullptr) {
-        RelaxOptions options;
-        options.iterations = 0;
-        options.gaussian = 150;
-        change(options);
-        return refusal_of([&] { relax(points, importance, options); });
-    };
-    EXPECT_EQ(refusal([](RelaxOptions&) {}, &field),
-              "gaussian 150: is for domains without a picture");
-    EXPECT_EQ(refusal([](RelaxOptions& o) { o.gaussian = 10001; }),
-              "gaussian 10001: must be at most 10000");
-    EXPECT_EQ(refusal([](RelaxOptions& o) { o.gaussian_distance = 1.5; }),
-              "gaussian-distance 1.5: must lie between 0 and 1 mean spacings");
-    EXPECT_EQ(refusal([](RelaxOptions& o) { o.gaussian_distance = std::nan(""); }),
-              "gaussian-distance nan: must lie between 0 and 1 mean spacings");
+TEST(Gaussian, IsRefusedForACrowdOfPoints) {
     RelaxOptions options;
     options.iterations = 0;
     options.gaussian = 1;

@@ -193,20 +193,19 @@ TEST(InkDots, ThatCannotBeAreRefused) {
     const Field field = wave_field(0);
     const Field other = constant_field(3, 3);
     const Field blank = constant_field(60, 40, 0);
-    const auto refused = [](std::vector<InkPart> inks, std::uint32_t iterations = 1) {
-        return refusal_of(
-            [&] { place_inks(inks, 0, options_of(1.5, 1, Boundary::box, iterations)); });
+    const auto refused = [](const std::vector<InkPart>& inks, std::uint32_t iterations = 1) {
+        const RelaxOptions options = options_of(1.5, 1, Boundary::box, iterations);
+        const std::string told = refusal_of([&] { place_inks(inks, 0, options); });
+        return told.substr(0, told.find(':'));
     };
-    EXPECT_EQ(refused({}), "inks 0: must be 1 to 64");
-    EXPECT_EQ(refused(std::vector<InkPart>(65, {&field, 1})), "inks 65: must be 1 to 64");
-    EXPECT_EQ(refused({{nullptr, 5}}), "field missing: each ink must have one");
-    EXPECT_EQ(refused({{&field, 0}}), "dots 0: an ink must have at least one dot");
-    EXPECT_EQ(refused({{&field, 5}, {&other, 5}}),
-              "field 3x3: all inks must have equally many pixels, 60x40");
+    EXPECT_EQ(refused({}), "inks 0");
+    EXPECT_EQ(refused(std::vector<InkPart>(65, {&field, 1})), "inks 65");
+    EXPECT_EQ(refused({{nullptr, 5}}), "field missing");
+    EXPECT_EQ(refused({{&field, 0}}), "dots 0");
+    EXPECT_EQ(refused({{&field, 5}, {&other, 5}}), "field 3x3");
     EXPECT_NE(refused({{&field, 5}, {&blank, 5}}), "accepted");
-    EXPECT_EQ(refused({{&field, 5}}, 0),
-              "relax 0: must be at least 1: several inks are even once relaxed");
-    EXPECT_EQ(refused({{&field, 5}}, 10001), "iterations 10001: must be at most 10000");
+    EXPECT_EQ(refused({{&field, 5}}, 0), "relax 0");
+    EXPECT_EQ(refused({{&field, 5}}, 10001), "iterations 10001");
     EXPECT_NE(refused({{&field, std::uint64_t{1} << 40}}), "accepted");
     EXPECT_EQ(refused({{&field, 5}}), "accepted");
 }

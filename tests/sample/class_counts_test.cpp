@@ -1,5 +1,5 @@
-// Numbers of points of classes: at the beginning of the same order; proofs and refusals. That they
-// are exact, on every backend, and the other classes full, is judged by hostile.
+// Numbers of points of classes: at the beginning of the same order; proofs. That they are
+// exact, on every backend, and the other classes full, is judged by hostile.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 #include <lacuna/many.h>
@@ -127,46 +127,6 @@ TEST(CountsOfClasses, AreProvenAndRefuted) {
     claim.classes.counts = {10};
     EXPECT_EQ(tests::refusal_of([&] { prove(set.points, claim); }),
               "class 1 numbers of points: must be 3, one for each class");
-}
-
-TEST(CountsOfClasses, AreRefusedInOneLine) {
-    const auto refusal = [](const auto& change) {
-        Request request = wood();
-        request.classes.counts = {10, {}, {}};
-        change(request);
-        return tests::refusal_of([&] { sample(request); });
-    };
-    EXPECT_EQ(refusal([](Request& r) {
-                  r.classes.counts = {5000, {}, {}};
-              }).substr(0, 18),
-              "class trees: only ");
-    EXPECT_EQ(refusal([](Request& r) {
-                  r.classes.counts = {0, {}, {}};
-              }),
-              "class trees with 0 points: must have at least 1; the weight 0 lets it have none");
-    EXPECT_EQ(refusal([](Request& r) {
-                  r.classes.counts = {1, 2};
-              }),
-              "class 2 numbers of points: must be one for each of the 3 classes");
-    EXPECT_EQ(refusal([](Request& r) {
-                  r.classes.weights = {0, 1, 1};
-              }),
-              "class trees with 10 points: is not drawn, as its weight is 0");
-    const std::string with_others =
-        "class trees with 10 points: is for sets without a count, a limit and a progressive order";
-    EXPECT_EQ(refusal([](Request& r) { r.count = 100; }), with_others);
-    EXPECT_EQ(refusal([](Request& r) { r.limit = 100; }), with_others);
-    EXPECT_EQ(refusal([](Request& r) { r.progressive = true; }), with_others);
-    EXPECT_EQ(refusal([](Request& r) {
-                  r.classes = {.names = {"trees"}, .distances = {0.1}, .counts = {{10}}};
-              }),
-              "class trees with 10 points: is the only class: give a limit instead");
-
-    Request tiles = wood();
-    tiles.domain.boundary = Boundary::torus;
-    tiles.classes.counts = {10, {}, {}};
-    EXPECT_EQ(tests::refusal_of([&] { frame_of(tiles, 0.2); }),
-              "frame with numbers of points of classes: there would be room at the edges of tiles");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Classes of points, seen from outside: what is kept, limited and counted; refusals in one line.
+// Classes of points, seen from outside: what is kept, limited and counted.
 // Distances and room are judged by hostile.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
@@ -185,83 +185,6 @@ TEST(Classes, OfNearlyEqualDistancesHaveNoGap) {
     kept.keep = points;
     kept.keep_classes = classes;
     expect_maximal(kept);
-}
-
-TEST(Classes, AreRefusedInOneLine) {
-    const auto refusal = [](const Request& request) {
-        return tests::refusal_of([&] { sample(request); });
-    };
-    Request request = request_of({1, 2, 3, 4});
-    EXPECT_EQ(refusal(request),
-              "between class-0 and class-1: keep 2 and 3: must be the same both ways");
-    request.classes.distances = {1, 2, 2};
-    EXPECT_EQ(refusal(request),
-              "between 3 distances: must be a matrix of 2 x 2, for as many classes");
-    request.classes.distances = {1, -1, -1, 1};
-    EXPECT_EQ(refusal(request),
-              "between class-0 and class-1: keep -1: must be a finite number of at least 0");
-    request.classes.distances = {0, 1, 1, 1};
-    EXPECT_EQ(refusal(request), "between class-0: keep 0: must be a finite number greater than 0");
-    request.classes.distances = {0.01, 100, 100, 1};
-    EXPECT_EQ(refusal(request),
-              "between distances from 0.01 to 100: the greatest must be at most 4000 times the "
-              "least that is not 0");
-    request = request_of({1, 1, 1, 1}, {0, 0});
-    EXPECT_EQ(refusal(request), "class all: have the weight 0: one must be greater");
-    request.classes.weights = {1, -2};
-    EXPECT_EQ(refusal(request),
-              "class class-1: its weight is -2: must be a finite number of at least 0");
-    request.classes.weights = {1};
-    EXPECT_EQ(refusal(request), "class 1 weights: must be one for each of the 2 classes");
-    request.classes.weights = {};
-    request.classes.names[1] = request.classes.names[0];
-    EXPECT_EQ(refusal(request), "class class-0: is given twice");
-    request.classes.names[1] = "two words";
-    EXPECT_EQ(refusal(request),
-              "class 'two words': must be a name without spaces and without , : ; / \\ < > & or "
-              "quotes");
-    request = request_of(std::vector<double>(17 * 17, 1));
-    EXPECT_EQ(refusal(request), "class 17 classes: must be at most 16");
-    request = request_of({1, 1, 1, 1});
-    request.mode = Mode::lines;
-    EXPECT_EQ(refusal(request), "class with mode lines: is for mode exact");
-    request.mode = Mode::exact;
-    request.classes.borders = {0.1};
-    EXPECT_EQ(refusal(request),
-              "border 1 borders of classes: must be one for each of the 2 classes");
-    request.classes.borders = {0.1, 0.5};
-    EXPECT_EQ(refusal(request),
-              "border class-1:0.5: must be at least 0 and under half of the domain's shorter side, "
-              "0.5");
-    request.domain.boundary = Boundary::torus;
-    EXPECT_EQ(refusal(request), "border class-0:0.1: is not for a torus, which has no edges");
-    request.domain.boundary = Boundary::box;
-    request.classes.borders = {};
-    request.classes.masks.resize(3);
-    EXPECT_EQ(refusal(request), "mask 3 masks of classes: must be one for each of the 2 classes");
-    request.classes.masks = {};
-    const std::vector<Point> keep{{0.5, 0.5}, {0.6, 0.5}};
-    request.keep = keep;
-    EXPECT_EQ(refusal(request), "keep 2 points: with classes each needs a class, but 0 have one");
-    const std::vector<std::uint8_t> of_keep{0, 2};
-    request.keep_classes = of_keep;
-    EXPECT_EQ(refusal(request), "keep class 2: must be less than 2, the number of classes");
-    const std::vector<std::uint8_t> right{0, 1};
-    request.keep_classes = right;
-    EXPECT_EQ(refusal(request),
-              "keep point 0 at (0.5, 0.5) and point 1 at (0.6, 0.5): are 0.09999999999999998 "
-              "apart: must be at least 1, the distance of their classes");
-    request.keep_classes = {};
-    request.classes = {};
-    request.radius = 0.01;
-    request.keep_classes = right;
-    EXPECT_EQ(refusal(request), "keep classes of points: are for requests with classes");
-    for (const double wrong : {0.0, -0.1, std::numeric_limits<double>::quiet_NaN()})
-        for (const auto& by_rule : {distances_by_sum, distances_by_union})
-            EXPECT_EQ(tests::refusal_of([&] {
-                          by_rule(std::vector{0.2, wrong});
-                      }).substr(0, 6),
-                      "class ");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The promises of lacuna.h for mode exact with a field, a mask, a border and kept points, seen from
-// outside: distances and room in double, the kept points, and refusals in one line.
+// outside: distances and room in double, the kept points.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 #include <lacuna/verify.h>
@@ -87,31 +87,6 @@ TEST(KeptPoints, ThatLieWithin2ToTheMinus28OfWhereSamplesMayKeepTheirDistance) {
         EXPECT_GE(proof.least_distance, 0.1) << proof.first << " and " << proof.second;
         EXPECT_TRUE(proof.maximal);
     }
-}
-
-std::string refusal_of(const Request& request) {
-    return tests::refusal_of([&] { sample(request); });
-}
-
-TEST(ARequestWithARadiusField, IsRefusedInOneLineWhereItMakesNoSense) {
-    const Field field = tests::ramp_field(4, 4);
-    Request request;
-    request.field = &field;
-    request.scale = 0.1;
-    request.metric = Metric::mean;
-    EXPECT_EQ(refusal_of(request), "metric mean: is for mode cells; mode exact knows min");
-    request.metric = Metric::min;
-    request.mode = Mode::lines;
-    EXPECT_EQ(refusal_of(request), "field with mode lines: is for modes exact and cells");
-    request.mode = Mode::exact;
-    request.radius = 0.1;
-    EXPECT_EQ(refusal_of(request), "radius 0.1: is not for a field: give a scale or a count");
-    request.radius.reset();
-    request.scale = 1e-9;
-    EXPECT_NE(refusal_of(request).find("the longer side / 2^20"), std::string::npos);
-    request.scale = 0.1;
-    request.field = nullptr;
-    EXPECT_EQ(refusal_of(request), "scale 0.1: is for a field");
 }
 
 }  // namespace

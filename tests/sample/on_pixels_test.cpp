@@ -187,32 +187,4 @@ TEST(SamplesOnPixels, HaveTheLeastDistanceOfTwoPixelsAsTheirRadius) {
     EXPECT_EQ(sample(on_pixels({1, 1}, 1)).radius, 0);
 }
 
-TEST(SamplesOnPixels, AreRefusedWithWhatTheyCannotHave) {
-    const auto refusal = [](auto change) {
-        Request request = on_pixels({10, 10}, 20);
-        change(request);
-        return refusal_of([&] { sample(request); });
-    };
-    EXPECT_EQ(refusal([](Request& r) { r.on_pixels.reset(); }),
-              "on-pixels missing: mode pixels needs its pixels");
-    EXPECT_EQ(refusal([](Request& r) { r.mode = Mode::exact; }),
-              "on-pixels 10x10: is for mode pixels");
-    EXPECT_EQ(refusal([](Request& r) {
-                  r.on_pixels = {0, 10};
-              }),
-              "on-pixels 0x10: each side must be 1 to 32767 pixels, all together at most 67108864");
-    EXPECT_EQ(refusal([](Request& r) {
-                  r.on_pixels = {32767, 2049};
-              }).substr(0, 20),
-              "on-pixels 32767x2049");
-    EXPECT_EQ(refusal([](Request& r) { r.count = 101; }),
-              "count 101: must be at most 100, the number of pixels where samples may lie");
-    EXPECT_EQ(refusal([](Request& r) { r.count = 0; }), "count 0: must be at least 1");
-    EXPECT_EQ(refusal([](Request& r) { r.count.reset(); }), "count missing: mode pixels needs one");
-    EXPECT_EQ(refusal([](Request& r) { r.radius = 2; }),
-              "radius 2: is not for mode pixels, which takes a count");
-    EXPECT_EQ(refusal([](Request& r) { r.border = 1; }),
-              "border with mode pixels: is for mode exact only");
-}
-
 }  // namespace lacuna::tests

@@ -96,12 +96,5 @@ TEST(Progressive, IsRefusedAtOnceWhereItWouldTakeTooMuch) {
     EXPECT_TRUE(tests::refusal_of([&] { sample(request); }).starts_with("radius -1: must be"));
 }
 
-TEST(Progressive, IsForModeExact) {
-    Request request = progressive(100);
-    request.mode = Mode::lines;
-    EXPECT_EQ(tests::refusal_of([&] { sample(request); }),
-              "progressive with mode lines: is for mode exact");
-}
-
 }  // namespace progressive_test
 }  // namespace lacuna

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "fields.h"
-#include "refusal.h"
 #include "sampling/curve.h"
 
 namespace lacuna::tests {
@@ -234,27 +233,6 @@ TEST(AStratifiedStart, IsTheSameEverywhereAndDependsOnTheSeed) {
     const std::vector<Point> points = sample(stratified(1000, 7)).points;
     EXPECT_EQ(points, sample(stratified(1000, 7)).points);
     EXPECT_NE(points, sample(stratified(1000, 8)).points);
-}
-
-TEST(AStratifiedStart, RefusesWhatItHasNoUseFor) {
-    const auto refusal = [](const std::function<void(Request&)>& change) {
-        Request request = stratified(10);
-        change(request);
-        return refusal_of([&] { sample(request); });
-    };
-    const std::string takes_a_count = ": is not for mode stratified, which takes a count";
-    EXPECT_EQ(refusal([](Request& r) { r.radius = 0.5; }), "radius 0.5" + takes_a_count);
-    EXPECT_EQ(refusal([](Request& r) { r.limit = 3; }), "limit 3" + takes_a_count);
-    EXPECT_EQ(refusal([](Request& r) { r.paper2011.lines_per_radius = 3; }),
-              "lines-per-radius 3" + takes_a_count);
-    EXPECT_EQ(refusal([](Request& r) { r.paper2011.round_size = 1; }),
-              "round-size 1" + takes_a_count);
-    EXPECT_EQ(refusal([](Request& r) { r.metric = Metric::max; }), "metric max" + takes_a_count);
-    EXPECT_EQ(refusal([](Request& r) { r.count.reset(); }),
-              "count missing: mode stratified needs one");
-    EXPECT_EQ(refusal([](Request& r) { r.count = 0; }), "count 0: must be at least 1");
-    EXPECT_EQ(refusal([](Request& r) { r.border = 0.1; }),
-              "border with mode stratified: is for mode exact only");
 }
 
 }  // namespace lacuna::tests

@@ -13,8 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "refusal.h"
-
 namespace lacuna {
 namespace {
 
@@ -155,16 +153,6 @@ TEST(AThresholdMask, IsNotCorrelatedWithThoseOfOtherSeeds) {
                     sum += tiles[a][i] * tiles[b][(i + moved) % kPixels];
         EXPECT_NEAR(sum * 12 / kPixels / (kTiles * (kTiles - 1) / 2.), 0, 0.005) << moved;
     }
-}
-
-TEST(AThresholdMask, HasSidesOf8To1024Pixels) {
-    EXPECT_EQ(tests::refusal_of([] { threshold_mask(7, 64); }),
-              "size 7x64: each side must be 8 to 1024 pixels");
-    EXPECT_EQ(tests::refusal_of([] { threshold_mask(64, 1025); }),
-              "size 64x1025: each side must be 8 to 1024 pixels");
-    EXPECT_EQ(
-        tests::refusal_of([] { threshold_mask(64, 64, 0, 0); }),
-        "frames 0: must be 1 to 256 for this size: all together have at most 1024x1024 pixels");
 }
 
 }  // namespace
