@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 from decimal import Decimal
-from typing import Any
+from functools import partial
+from typing import Any, Callable
 
 import numpy as np
 import pytest
@@ -14,121 +15,120 @@ import lacuna
 
 POINTS = np.random.default_rng(1).random((50, 2))
 FIELD = np.ones((8, 8))
+MASK = np.ones((2, 3))
 TRIANGLE = [(0, 0), (1, 0), (0, 1)]
 
 
+# What each function is called with, and then what is refused.
+REFUSED: list[tuple[Callable[..., object], list[tuple[type[Exception], str, dict[str, Any]]]]] = [
+    (
+        lacuna.sample,
+        [
+            (ValueError, "n", {"n": 2**64}),
+            (TypeError, "n", {"n": 99.5}),
+            (TypeError, "n", {"n": np.array([3, 4])}),
+            (MemoryError, "n", {"n": 10**9, "memory_limit": 10**9}),
+            (ValueError, "radius", {"radius": 10**400}),
+            (TypeError, "radius", {"radius": "0.1"}),
+            (TypeError, "metric", {"n": 10, "field": FIELD, "metric": 3}),
+            (TypeError, "domain", {"radius": 0.1, "domain": (1, 2, 3)}),
+            (TypeError, "domain", {"radius": 0.1, "domain": (0, 0, 1, 1, 1)}),
+            (ValueError, "domain", {"radius": 0.1, "domain": (1, 0, 1, 2)}),
+            (ValueError, "domain", {"radius": 0.1, "domain": (0, 0, np.nan, 1)}),
+            (TypeError, "torus", {"radius": 0.1, "torus": "yes"}),
+            (TypeError, "torus", {"radius": 0.1, "torus": None}),
+            (ValueError, "seed", {"radius": 0.1, "seed": 2**64}),
+            (TypeError, "seed", {"radius": 0.1, "seed": 1.5}),
+            (TypeError, "seed", {"radius": 0.1, "seed": np.random.RandomState(1)}),
+            (ValueError, "backend", {"radius": 0.1, "backend": "c\0pu"}),
+            (ValueError, "backend", {"radius": 0.1, "backend": "\udcff"}),
+            (ValueError, "device", {"radius": 0.1, "backend": "opencl", "device": "\udcff"}),
+            (TypeError, "backend", {"radius": 0.1, "backend": None}),
+            (TypeError, "device", {"radius": 0.1, "device": 1.5}),
+            (ValueError, "memory_limit", {"radius": 0.1, "memory_limit": 0}),
+            (TypeError, "progress", {"radius": 0.1, "progress": 3}),
+            (ValueError, "edge", {"n": 9, "inside": [TRIANGLE]}),
+            (TypeError, "inside", {"radius": 0.1, "inside": "lakes.svg"}),
+            (TypeError, "avoid", {"radius": 0.1, "avoid": [TRIANGLE]}),
+            (ValueError, "mask", {"radius": 0.1, "mask": np.ones(3)}),
+            (ValueError, "mask", {"radius": 0.1, "mask": np.ones((0, 3))}),
+            (ValueError, "mask", {"radius": 0.1, "mask": [[1], [1, 2]]}),
+            (ValueError, "mask", {"radius": 0.1, "mask": np.broadcast_to(True, (10**6, 10**6))}),
+            (TypeError, "mask", {"radius": 0.1, "mask": "black"}),
+            (TypeError, "mask", {"radius": 0.1, "mask": MASK * 1j}),
+            (TypeError, "mask", {"radius": 0.1, "mask": np.ma.masked_array(MASK, mask=MASK > 0)}),
+            (TypeError, "mask", {"radius": 0.1, "mask": object()}),
+            (TypeError, "border", {"radius": 0.1, "border": "wide"}),
+            (TypeError, "border", {"radius": 0.1, "border": None}),
+            (ValueError, "keep", {"radius": 0.1, "keep": [0.1, 0.2, 0.3]}),
+            (TypeError, "keep", {"radius": 0.1, "keep": "points.txt"}),
+            (TypeError, "keep", {"radius": 0.1, "keep": {"x": 1}}),
+        ],
+    ),
+    (
+        partial(lacuna.verify, POINTS),
+        [
+            (ValueError, "radius", {}),
+            (TypeError, "radius", {"radius": "a"}),
+            (ValueError, "scale", {"radius": 0.1, "scale": 0.1}),
+            (ValueError, "scale", {"field": FIELD}),
+            (TypeError, "scale", {"field": FIELD, "scale": "wide"}),
+            (ValueError, "field", {"field": np.ones(8), "scale": 0.1}),
+            (ValueError, "mask", {"radius": 0.1, "mask": np.ones(8)}),
+            (ValueError, "inside", {"radius": 0.1, "inside": [[(0, 0), (1, 0)]]}),
+            (TypeError, "inside", {"radius": 0.1, "inside": "lakes.svg"}),
+            (ValueError, "keep", {"radius": 0.1, "keep": [0.1, 0.2, 0.3]}),
+            (TypeError, "keep", {"radius": 0.1, "keep": "trees.csv"}),
+            (TypeError, "torus", {"radius": 0.1, "torus": 2}),
+            (TypeError, "distances_only", {"radius": 0.1, "distances_only": "no"}),
+        ],
+    ),
+    (
+        partial(lacuna.relax, POINTS),
+        [
+            (TypeError, "iterations", {"iterations": 1.5}),
+            (TypeError, "measure", {"measure": None}),
+            (TypeError, "progress", {"progress": "often"}),
+        ],
+    ),
+    (
+        lacuna.stipple,
+        [
+            (ValueError, "image", {"image": np.ones(3), "n": 10}),
+            (ValueError, "image", {"image": np.ones((3, 3)), "n": 10}),  # white all over
+            (ValueError, "image", {"image": np.empty((0, 3)), "n": 10}),
+            (TypeError, "image", {"image": np.full((3, 3), "a"), "n": 10}),
+            (TypeError, "image", {"image": np.full((3, 3), 1j), "n": 10}),
+            (ValueError, "image", {"image": "a\0b.png", "n": 10}),
+            (TypeError, "mode", {"image": np.eye(3), "n": 5, "mode": 1}),
+        ],
+    ),
+    (
+        partial(lacuna.draw_mask, rings=[TRIANGLE], edge=0.01),
+        [
+            (ValueError, "edge", {"memory_limit": 100}),
+            (ValueError, "memory_limit", {"memory_limit": 0}),
+            (TypeError, "edge", {"edge": "fine"}),
+            (TypeError, "domain", {"domain": 3}),
+            (ValueError, "rings", {"rings": TRIANGLE}),  # one ring is a list of one
+            (ValueError, "rings", {"rings": [np.ones((3, 3))]}),
+            (TypeError, "rings", {"rings": [TRIANGLE, None]}),
+            (TypeError, "rings", {"rings": "lakes.svg"}),
+            (TypeError, "rings", {"rings": 3}),
+        ],
+    ),
+]
+
+
 @pytest.mark.parametrize(
-    ("error", "argument", "arguments"),
-    [
-        (ValueError, "n", {"n": 0}),  # by the library, as count
-        (ValueError, "n", {"n": 2**64}),
-        (TypeError, "n", {"n": 99.5}),
-        (TypeError, "n", {"n": np.array([3, 4])}),
-        (MemoryError, "n", {"n": 10**9, "memory_limit": 10**9}),
-        (ValueError, "radius", {"radius": 10**400}),
-        (TypeError, "radius", {"radius": "0.1"}),
-        (TypeError, "radius", {"radius": [0.1, 0.2]}),
-        (ValueError, "radius", {"radius": 0.1, "field": FIELD}),
-        (ValueError, "metric", {"n": 10, "metric": "min"}),
-        (ValueError, "metric", {"n": 10, "field": FIELD, "metric": "least"}),
-        (TypeError, "metric", {"n": 10, "field": FIELD, "metric": 3}),
-        (TypeError, "domain", {"radius": 0.1, "domain": (1, 2, 3)}),
-        (TypeError, "domain", {"radius": 0.1, "domain": ("a", "b")}),
-        (TypeError, "domain", {"radius": 0.1, "domain": (0, 0, 1, 1, 1)}),
-        (ValueError, "domain", {"radius": 0.1, "domain": (1, 0, 1, 2)}),
-        (ValueError, "domain", {"radius": 0.1, "domain": (0, 5, 1, 2)}),
-        (ValueError, "domain", {"radius": 0.1, "domain": (0, 0, np.nan, 1)}),
-        (ValueError, "domain", {"radius": 0.1, "domain": (-np.inf, 0, 1, 1)}),
-        (ValueError, "domain", {"radius": 0.1, "domain": (1e9, 0, 1e9 + 1, 1)}),
-        (TypeError, "torus", {"radius": 0.1, "torus": "yes"}),
-        (TypeError, "torus", {"radius": 0.1, "torus": None}),
-        (ValueError, "mode", {"radius": 0.1, "mode": "quick"}),
-        (ValueError, "seed", {"radius": 0.1, "seed": 2**64}),
-        (TypeError, "seed", {"radius": 0.1, "seed": 1.5}),
-        (TypeError, "seed", {"radius": 0.1, "seed": np.random.RandomState(1)}),
-        (ValueError, "relax", {"radius": 0.1, "relax": 2, "border": 0.1}),
-        (ValueError, "backend", {"radius": 0.1, "backend": "c\0pu"}),
-        (ValueError, "backend", {"radius": 0.1, "backend": "\udcff"}),
-        (ValueError, "device", {"radius": 0.1, "backend": "opencl", "device": "\udcff"}),
-        (TypeError, "backend", {"radius": 0.1, "backend": None}),
-        (TypeError, "device", {"radius": 0.1, "device": 1.5}),
-        (ValueError, "memory_limit", {"radius": 0.1, "memory_limit": 0}),
-        (TypeError, "progress", {"radius": 0.1, "progress": 3}),
-        (ValueError, "mask", {"radius": 0.1, "mask": FIELD, "inside": [TRIANGLE]}),
-        (ValueError, "edge", {"n": 9, "inside": [TRIANGLE]}),
-        (TypeError, "inside", {"radius": 0.1, "inside": "lakes.svg"}),
-        (TypeError, "avoid", {"radius": 0.1, "avoid": [TRIANGLE]}),
-    ],
+    ("call", "error", "argument", "arguments"),
+    [(call, *row) for call, rows in REFUSED for row in rows],
     ids=lambda value: f"{value!r:.60}",
 )
-def test_sample_refuses(
-    error: type[Exception], argument: str, arguments: dict[str, Any]
+def test_what_is_refused(
+    call: Callable[..., object], error: type[Exception], argument: str, arguments: dict[str, Any]
 ) -> None:
-    refused(error, argument, lacuna.sample, **arguments)
-
-
-def test_a_set_larger_than_the_machine_is_refused_before_memory_is_taken() -> None:
-    with pytest.raises((MemoryError, ValueError), match=r"^n 1000000000000"):
-        lacuna.sample(n=10**12)
-    with pytest.raises(lacuna.MemoryRefused):
-        lacuna.sample(0.001, memory_limit=10_000)
-
-
-@pytest.mark.parametrize(
-    ("error", "argument", "arguments"),
-    [
-        (ValueError, "radius", {}),
-        (TypeError, "radius", {"radius": "a"}),
-        (ValueError, "radius", {"radius": 0.1, "field": FIELD}),
-        (ValueError, "scale", {"radius": 0.1, "scale": 0.1}),
-        (ValueError, "scale", {"field": FIELD}),
-        (TypeError, "scale", {"field": FIELD, "scale": "wide"}),
-        (ValueError, "field", {"field": np.ones(8), "scale": 0.1}),
-        (ValueError, "mask", {"radius": 0.1, "mask": np.ones(8)}),
-        (ValueError, "inside", {"radius": 0.1, "inside": [[(0, 0), (1, 0)]]}),
-        (TypeError, "inside", {"radius": 0.1, "inside": "lakes.svg"}),
-        (ValueError, "keep", {"radius": 0.1, "keep": [0.1, 0.2, 0.3]}),
-        (TypeError, "keep", {"radius": 0.1, "keep": "trees.csv"}),
-        (TypeError, "torus", {"radius": 0.1, "torus": 2}),
-        (TypeError, "distances_only", {"radius": 0.1, "distances_only": "no"}),
-    ],
-    ids=lambda value: f"{value!r:.60}",
-)
-def test_verify_refuses(error: type[Exception], argument: str, arguments: dict[str, Any]) -> None:
-    refused(error, argument, lacuna.verify, POINTS, **arguments)
-
-
-@pytest.mark.parametrize(
-    ("error", "argument", "arguments"),
-    [
-        (ValueError, "iterations", {"iterations": 10_001}),
-        (TypeError, "iterations", {"iterations": 1.5}),
-        (TypeError, "measure", {"measure": None}),
-        (TypeError, "progress", {"progress": "often"}),
-    ],
-    ids=lambda value: f"{value!r:.60}",
-)
-def test_relax_refuses(error: type[Exception], argument: str, arguments: dict[str, Any]) -> None:
-    refused(error, argument, lacuna.relax, POINTS, **arguments)
-
-
-@pytest.mark.parametrize(
-    ("error", "argument", "arguments"),
-    [
-        (ValueError, "image", {"image": np.ones(3), "n": 10}),
-        (ValueError, "image", {"image": np.ones((3, 3)), "n": 10}),  # white all over
-        (ValueError, "image", {"image": np.empty((0, 3)), "n": 10}),
-        (TypeError, "image", {"image": np.full((3, 3), "a"), "n": 10}),
-        (TypeError, "image", {"image": np.full((3, 3), 1j), "n": 10}),
-        (ValueError, "image", {"image": "a\0b.png", "n": 10}),
-        (ValueError, "mode", {"image": np.eye(3), "n": 5, "mode": "lines"}),
-        (TypeError, "mode", {"image": np.eye(3), "n": 5, "mode": 1}),
-        (ValueError, "ink_counts", {"image": np.eye(3), "inks": "red", "ink_counts": [1], "n": 5}),
-    ],
-    ids=lambda value: f"{value!r:.60}",
-)
-def test_stipple_refuses(error: type[Exception], argument: str, arguments: dict[str, Any]) -> None:
-    refused(error, argument, lacuna.stipple, **arguments)
+    refused(error, argument, call, **arguments)
 
 
 def test_a_file_that_is_not_there_or_no_picture_is_an_oserror(tmp_path: Any) -> None:

@@ -40,29 +40,31 @@ def test_a_field_that_is_none_is_refused(error: type[Exception], field: object) 
     refused(error, "field", lacuna.relax, POINTS, field)
 
 
-def test_a_field_may_have_any_layout_and_type() -> None:
-    field = np.arange(1, 49, dtype=np.float64).reshape(6, 8)
-    expected = lacuna.sample(n=100, field=field, seed=1).points
-    padded = np.zeros((12, 24))
-    padded[::2, ::3] = field
-    read_only = field.copy()
+def others_of(array: np.ndarray[Any, Any]) -> list[Any]:
+    """The same whole numbers, up to 255, in other layouts and types."""
+    rows, columns = array.shape
+    padded = np.zeros((2 * rows, 3 * columns))
+    padded[::2, ::3] = array
+    read_only = array.copy()
     read_only.flags.writeable = False
-    same: list[object] = [
-        np.asfortranarray(field),
-        field[::-1].copy()[::-1],
-        padded[::2, ::3],
-        field.astype(">f8"),
-        field.astype("<f4"),
-        field.astype(np.float16),
-        field.astype(np.longdouble),
-        field.astype(np.uint8),
-        field.astype(">i2"),
-        field.tolist(),
-        read_only,
-    ]
-    for one in same:
-        made = lacuna.sample(n=100, field=one, seed=1)  # type: ignore[arg-type]
-        assert (made.points == expected).all()
+    types = (">f8", "<f4", np.float16, np.longdouble, np.uint8, ">i2")
+    same: list[Any] = [array.astype(one) for one in types]
+    same += [np.asfortranarray(array), array[::-1].copy()[::-1], padded[::2, ::3]]
+    return [*same, array.tolist(), read_only]
+
+
+CALLS: list[Any] = [
+    (np.arange(1.0, 49).reshape(6, 8), lambda field: lacuna.sample(n=100, field=field, seed=1)),
+    (np.arange(48).reshape(6, 8) % 5 != 0, lambda mask: lacuna.sample(0.05, mask=mask, seed=1)),
+    ((POINTS * 255).round(), lambda points: lacuna.relax(points, iterations=2, domain=(256, 256))),
+]
+
+
+@pytest.mark.parametrize(("array", "call"), CALLS, ids=["field", "mask", "points"])
+def test_an_array_may_have_any_layout_and_type(array: np.ndarray[Any, Any], call: Any) -> None:
+    expected = call(array).points
+    for one in others_of(array):
+        assert (call(one).points == expected).all()
 
 
 def test_a_field_that_another_thread_changes_is_read_once() -> None:
@@ -125,20 +127,6 @@ def test_points_outside_the_domain_are_told(place: tuple[float, float]) -> None:
     assert not lacuna.verify(points, 1e-6)
     refused(ValueError, "points", lacuna.relax, points)
     refused(ValueError, "points", lacuna.analyze, points)
-
-
-def test_points_may_have_any_layout_and_type() -> None:
-    points = (POINTS * 256).round() / 256
-    expected = lacuna.relax(points, iterations=2).points
-    for same in (
-        np.asfortranarray(points),
-        np.repeat(points, 2, axis=0)[::2],
-        points[::-1].copy()[::-1],
-        points.astype(">f8"),
-        points.astype(np.float32),
-        points.tolist(),
-    ):
-        assert (lacuna.relax(same, iterations=2).points == expected).all()
 
 
 def test_no_points_are_a_set() -> None:

@@ -39,12 +39,9 @@ def calls(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Call]:
     geojson = str({"type": "MultiPolygon", "coordinates": coordinates}).replace("'", '"')
     (folder / "rings.geojson").write_text(geojson)
 
-    def reference() -> object:
-        return lacuna.sample(0.004, backend="reference", seed=1)
-
     return {
         "sample": lambda: lacuna.sample(0.0008, seed=1),
-        "sample on reference": reference,
+        "sample on reference": lambda: lacuna.sample(0.004, backend="reference", seed=1),
         "sample of classes": lambda: lacuna.sample(classes={"a": 0.1, "b": 0.0008}, seed=1),
         "sample on a field": lambda: lacuna.sample(n=100_000, field=noise, seed=1),
         "sample_many": lambda: lacuna.sample_many(range(400), radius=0.02),

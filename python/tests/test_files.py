@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from conftest import PROGRAM, REPOSITORY
+from conftest import PROGRAM
 
 import lacuna
 
@@ -22,7 +22,6 @@ KINDS: list[tuple[dict[str, Any], str]] = [
     ({"radius": 0.05, "torus": True, "domain": (2, 1)}, ""),
     ({"radius": 0.05, "border": 0.1}, ""),
     ({"radius": 0.05, "keep": [(0.5, 0.5), (1, 1)]}, ""),
-    ({"radius": 0.05, "progressive": True}, ""),
     ({"n": 300, "progressive": True}, ""),
     ({"classes": {"oak": 0.06, "elm": (0.02, 3)}}, ""),
     ({"classes": {"oak": 0.06, "elm": 0.02}, "between": "union", "torus": True}, ""),
@@ -76,7 +75,11 @@ def test_columns_are_kept_or_refused(tmp_path: Path) -> None:
     ellipses = lacuna.sample(ellipses=SWIRL, seed=3)
     ellipses.save(tmp_path / "e.csv")
     assert (tmp_path / "e.csv").read_text().startswith("x,y,a,b,angle\n")
-    classes = lacuna.sample(classes={"oak": 0.1}, seed=3)
+    classes = lacuna.sample(classes={"oak": 0.1, "elm": 0.05}, seed=3)
+    classes.save(tmp_path / "c.csv")
+    rows = (tmp_path / "c.csv").read_text().splitlines()
+    named = [classes.classes[one] for one in classes.class_of]  # type: ignore[union-attr]
+    assert rows[0] == "x,y,class" and [row.split(",")[2] for row in rows[1:]] == named
     inks = lacuna.stipple(np.ones((4, 4, 3)) * (0.5, 0.7, 1), n=40, inks="red,blue", seed=3)
     for made, what in ((ellipses, "ellipse"), (classes, "class"), (inks, "ink")):
         with pytest.raises(lacuna.BadRequest, match=f"^path .*has no place for the {what}"):

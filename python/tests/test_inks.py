@@ -3,56 +3,34 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from conftest import REPOSITORY, Command
+from translated import call_of
 
 import lacuna
 
-HOPPER = REPOSITORY / "examples" / "hopper.jpg"
+HOPPER = "examples/hopper.jpg"
 # Red at the left, blue at the right, and white between.
 COLOURS = np.ones((30, 40, 3))
 COLOURS[:, :10] = (0.9, 0.1, 0.1)
 COLOURS[:, 30:] = (0.1, 0.2, 0.9)
 
 
-@pytest.mark.parametrize(
-    ("arguments", "options"),
-    [
-        ({"n": 400, "inks": "cmyk"}, ["--count", 400, "--inks", "cmyk"]),
-        (
-            {"n": 300, "inks": "red,black,sea=#0083b8", "black_ink": 0, "relax": 2},
-            ["--count", 300, "--inks", "red,black,sea=#0083b8", "--black-ink", 0, "--relax", 2],
-        ),
-        (
-            {"inks": "black,red", "ink_counts": [200, 30], "gamma": 2.0},
-            ["--inks", "black,red", "--ink-counts", "200,30", "--gamma", 2],
-        ),
-        (
-            {"n": 300, "inks": "cmyk", "size_by_tone": 0.5, "sharpen": 3, "sharpen_amount": 2},
-            ["--count", 300, "--inks", "cmyk", "--size-by-tone", 0.5, "--sharpen", "3:2"],
-        ),
-        (
-            {"n": 200, "inks": "cmyk", "torus": True, "auto_levels": True},
-            ["--count", 200, "--inks", "cmyk", "--torus", "--auto-levels"],
-        ),
-        (
-            {"n": 200, "inks": "white,gold=#d4af37", "paper_colour": "black"},
-            ["--count", 200, "--inks", "white,gold=#d4af37", "--paper-colour", "black"],
-        ),
-        (
-            {"n": 200, "inks": "cmyk", "keep_inside": True},
-            ["--count", 200, "--inks", "cmyk", "--keep-inside"],
-        ),
-    ],
-)
-def test_dots_are_the_commands(
-    command: Command, arguments: dict[str, Any], options: list[object]
-) -> None:
-    expected = command("stipple", HOPPER, "--seed", 3, *options)
-    made = lacuna.stipple(HOPPER, **arguments, seed=3)
+OPTIONS = """--count 400 --inks cmyk
+--count 300 --inks red,black,sea=#0083b8 --black-ink 0 --relax 2
+--inks black,red --ink-counts 200,30 --gamma 2
+--count 300 --inks cmyk --size-by-tone 0.5 --sharpen 3:2
+--count 200 --inks cmyk --torus --auto-levels
+--count 200 --inks white,gold=#d4af37 --paper-colour black
+--count 200 --inks cmyk --keep-inside"""
+
+
+@pytest.mark.parametrize("options", OPTIONS.splitlines())
+def test_dots_are_the_commands(command: Command, options: str) -> None:
+    expected = command("stipple", REPOSITORY / HOPPER, "--seed", 3, *options.split())
+    made = call_of(f"stipple {HOPPER} --seed 3 {options}", REPOSITORY)()
     assert made.points.tobytes() == np.ascontiguousarray(expected[:, :2]).tobytes()
     assert made.ink is not None and (made.ink == expected[:, 2]).all()
     assert made.mode == "stratified" and made.radius > 0 and len(made.radii) == len(made)

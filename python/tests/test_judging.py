@@ -19,6 +19,7 @@ def test_a_verdict_says_why_a_claim_does_not_hold() -> None:
     assert lacuna.verify(counted, distances_only=True).reason == ""
     assert "not meant" not in lacuna.verify(counted.points, counted.radius).reason
     near = lacuna.verify([(0.1, 0.1), (0.9, 0.9), (0.1, 0.2)], 0.15)
+    assert near.kept is False and near.closest_pair == (0, 2)
     assert near.reason == "points 0 and 2 are 0.1 apart, less than their limit 0.15"
     assert "point 1 lies outside" in lacuna.verify([(0.1, 0.1), (0.5, 2)], 0.1).reason
 
@@ -39,19 +40,6 @@ def test_results_say_in_a_sentence_what_was_found() -> None:
     )
     assert str(lacuna.analyze([made, made])).startswith(f"2 sets of {len(made)} points on average, ")
     assert ", psi_6 0." in str(lacuna.analyze(made))
-
-
-def test_the_closest_pair_is_named() -> None:
-    verdict = lacuna.verify([(0.1, 0.1), (0.9, 0.9), (0.1, 0.2)], 0.15, distances_only=True)
-    assert not verdict and verdict.kept is False and verdict.covered is None
-    assert verdict.closest_pair == (0, 2)
-    assert verdict.least_distance == pytest.approx(0.1)
-
-
-def test_many_points_are_judged_as_few_are() -> None:
-    made = lacuna.sample(0.005, seed=1)
-    assert len(made) > 20_000 and lacuna.verify(made).maximal
-    assert not lacuna.verify(made.points[1:], 0.005)
 
 
 def test_analyze_gives_arrays_and_numbers() -> None:

@@ -6,7 +6,6 @@ import copy
 import dataclasses
 import json
 import pickle
-import re
 import subprocess
 import sys
 from pathlib import Path
@@ -15,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 from conftest import PROGRAM, REPOSITORY
+from translated import call_of
 
 import lacuna
 
@@ -92,13 +92,6 @@ def test_a_set_is_saved_as_the_command_writes_it(extension: str, tmp_path: Path)
         assert dots[0] == dots[1] >= len(made)
 
 
-def test_a_stippling_is_saved_with_its_radii(tmp_path: Path) -> None:
-    dots = lacuna.stipple(np.linspace(0, 1, 60) * np.ones((40, 1)), 100, seed=1)
-    dots.save(tmp_path / "dots.svg")
-    widths = set(re.findall(r'stroke-width="([0-9.]+)"', (tmp_path / "dots.svg").read_text()))
-    assert len(widths) > 5
-
-
 def test_what_cannot_be_saved_is_an_error_and_leaves_no_file(tmp_path: Path) -> None:
     made = lacuna.sample(0.2, seed=1)
     for name in ("made.tiff", "made", "-"):
@@ -154,42 +147,16 @@ except ImportError as error:
     assert run.stdout.startswith("plot needs matplotlib"), run.stderr
 
 
-def test_a_result_can_be_pickled() -> None:
-    made = lacuna.sample(0.2, seed=1, relax=2)
-    again = pickle.loads(pickle.dumps(made))
-    assert (again.points == made.points).all() and again.seed == 1
-    assert again.report()["points_sha256"] == made.sha256
-
-
-def test_a_repr_is_short() -> None:
-    assert len(repr(lacuna.sample(0.01, seed=1))) < 500
-
-
 @pytest.mark.parametrize(
-    "options",
-    [
-        ["sample", "--radius", "0.1", "--torus", "--seed", "3"],
-        ["sample", "--count", "50", "--mode", "lines", "--seed", "1"],
-        ["sample", "--radius", "0.1", "--relax", "2"],
-    ],
-    ids=" ".join,
+    "request_",
+    ["--radius 0.1 --torus --seed 3", "--count 50 --mode lines --seed 1", "--radius 0.1 --relax 2"],
 )
-def test_a_report_says_what_the_command_says(options: list[str], tmp_path: Path) -> None:
-    file = tmp_path / "report.json"
-    subprocess.run(
-        [PROGRAM, *options, "--quiet", "-o", tmp_path / "points.npy", "--report", file], check=True
-    )
+def test_a_report_says_what_the_command_says(request_: str, tmp_path: Path) -> None:
+    file, output = tmp_path / "report.json", tmp_path / "points.npy"
+    words = [*request_.split(), "--quiet", "-o", output, "--report", file]
+    subprocess.run([PROGRAM, "sample", *words], check=True)
     expected = json.loads(file.read_text())
-    words = dict(zip(options[1::2], options[2::2])) if "--torus" not in options else {}
-    made = lacuna.sample(
-        radius=0.1 if "--radius" in options else None,
-        n=50 if "--count" in options else None,
-        torus="--torus" in options,
-        mode=words.get("--mode"),
-        relax=int(words.get("--relax", 0)),
-        seed=int(options[options.index("--seed") + 1]) if "--seed" in options else 0,
-    )
-    found = json.loads(json.dumps(made.report()))
+    found = json.loads(json.dumps(call_of(f"sample {request_}", tmp_path)().report()))
     for report in (expected, found):
         assert report.pop("peak_memory_bytes") > 0
         assert report.pop("seconds")["total"] > 0
@@ -246,7 +213,8 @@ def test_results_can_be_copied_pickled_and_shown(result: Any) -> None:
         for name, value in vars(result).items():
             if isinstance(value, np.ndarray):
                 assert (getattr(same, name) == value).all()
-    assert repr(result).startswith(type(result).__name__) and "\n" not in repr(result)
+    said = repr(result)
+    assert said.startswith(type(result).__name__) and "\n" not in said and len(said) < 500
 
 
 def test_errors_can_be_copied_and_pickled() -> None:

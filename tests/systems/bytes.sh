@@ -35,7 +35,8 @@ backends=("${@:2}")
 
 sets=0 others=0
 while read -r pinned doors request; do
-    if [[ -z $pinned || $pinned == \#* ]]; then
+    # Remarks, and rows that are not for the command.
+    if [[ -z $pinned || $pinned == \#* || $doors != *[bh]* ]]; then
         echo "$pinned${doors:+ $doors}${request:+ $request}" >>"$scratch/table"
         continue
     fi
