@@ -4,15 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <memory>
 #include <string>
-#include <string_view>
 
 #include "backends/backend.h"
 #include "backends/cpu/cpu_backend.h"
 #include "backends/device/layout.h"
 #include "plan/make_plan.h"
+#include "required.h"
 #ifdef LACUNA_OPENCL
 #include "backends/opencl/opencl_backend.h"
 #endif
@@ -41,11 +40,6 @@ inline std::unique_ptr<Backend> make_backend(const std::string& name, const Plan
     if (name == "vulkan") return vulkan::make_backend(plan, anywhere, tuning);
 #endif
     throw Unavailable("backend " + name + ": this build was made without it");
-}
-
-inline bool is_required(std::string_view name) {
-    const char* const required = std::getenv("LACUNA_REQUIRE");
-    return required != nullptr && std::string_view(required).find(name) != std::string_view::npos;
 }
 
 // Why the backend cannot be tested here; empty when it can.

@@ -9,6 +9,7 @@
 
 #include "expectations.h"
 #include "program.h"
+#include "required.h"
 
 namespace {
 
@@ -44,9 +45,7 @@ protected:
         Setting setting;
         setting.program = "/bin/sh";
         if (run({"-c", "command -v " + GetParam().name}, setting).exit_code == 0) return;
-        const char* const required = std::getenv("LACUNA_REQUIRE");
-        if (required != nullptr && std::string(required).find("shells") != std::string::npos)
-            FAIL() << "no " << GetParam().name;
+        if (is_required("shells")) FAIL() << "no " << GetParam().name;
         GTEST_SKIP() << "no " << GetParam().name << ": ./bootstrap.sh test installs it";
     }
 

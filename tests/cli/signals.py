@@ -7,7 +7,7 @@ Every case is started RUNS times (default 12) and stopped at as many moments, sp
 seconds, so that each verb, the reading of pictures and, with empty caches, the compilers of the
 drivers are met. A case whose code is not 143, or that leaves a file, fails.
 """
-import os, signal, subprocess, sys, tempfile, time
+import json, os, signal, subprocess, sys, tempfile, time
 
 MILLION = "0.000835"  # radius of about a million points
 
@@ -23,9 +23,14 @@ def pictures(folder):
     return steep, halves
 
 
-def cases(folder):
+def usable(program):
+    listed = subprocess.run([program, "devices", "--json"], stdout=subprocess.PIPE, check=True).stdout
+    return sorted({one["backend"] for one in json.loads(listed)["devices"] if one["usable"]})
+
+
+def cases(program, folder):
     steep, halves = pictures(folder)
-    for backend in ("cpu", "opencl", "vulkan", "reference"):
+    for backend in usable(program):
         place = ["--backend", backend]
         yield f"exact, {backend}", ["sample", "--radius", MILLION] + place, False
         yield f"lines, {backend}", ["sample", "--radius", MILLION, "--mode", "lines"] + place, False
@@ -61,7 +66,7 @@ def main():
     failed = False
     with tempfile.TemporaryDirectory() as folder:
         print(f"{'milliseconds from SIGTERM to the end':<38} least  median    most")
-        for name, words, cold in cases(folder):
+        for name, words, cold in cases(program, folder):
             found = [stop(program, words, (0.05 if cold else 0.2) * (i + 1), cold)
                      for i in range(runs)]
             times = sorted(1000 * seconds for seconds, _, _ in found)

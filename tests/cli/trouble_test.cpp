@@ -16,6 +16,7 @@
 #include "cli/pictures.h"
 #include "expectations.h"
 #include "program.h"
+#include "required.h"
 
 namespace trouble_test {
 
@@ -120,14 +121,6 @@ TEST(APicture, ThatNeedsMoreMemoryThanThereIsIsNamedWithItsSize) {
                      {path, "16384 x 16384 pixels need about 5.4 GB of memory"});
 }
 
-// Reading it up to the limit for files would take a quarter of the machine's memory.
-TEST(APicture, WithoutAnEndIsRefusedByItsFirstBytes) {
-    expect_one_error(run({"sample", "--field", "/dev/zero", "--count", "10"}), 3,
-                     {"/dev/zero", "begins with"});
-    expect_one_error(run({"sample", "--mask", "/dev/zero", "--count", "10"}), 3,
-                     {"/dev/zero", "begins with"});
-}
-
 class AnInterruptedRun : public testing::TestWithParam<int> {};
 
 TEST_P(AnInterruptedRun, ExitsWithTheSignalsCodeAndLeavesNothing) {
@@ -190,18 +183,21 @@ TEST_P(AnInterruptedRun, WhileItWritesLeavesAWholeFileOrNone) {
     }
 }
 
-// Also while the driver's compiler is at work: its cache is empty.
+// Also while the driver's compiler is at work: its cache is empty. The set would take minutes.
 TEST_P(AnInterruptedRun, OnADeviceDoesNotWaitForIt) {
     const Folder folder;
     Setting cold;
     cold.environment["POCL_CACHE_DIR"] = folder.path("");
     cold.environment["MESA_SHADER_CACHE_DISABLE"] = "true";
+    const std::string table = run({"devices"}).out;
     for (const std::string backend : {"opencl", "vulkan"}) {
+        const bool is_missing = line_of(table, backend).find("not available") != std::string::npos;
+        if (is_missing && !is_required(backend)) continue;
         const Folder out;
-        Program program(
-            {"sample", "--radius", "0.001", "--backend", backend, "-o", out.path("a.txt")}, cold);
-        if (!program.waits_for(GetParam())) continue;  // there is no such device
-        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        Program program({"sample", "--radius", "0.0005", "--mode", "lines", "--round-size", "64",
+                         "--backend", backend, "-o", out.path("a.txt")},
+                        cold);
+        ASSERT_TRUE(program.waits_for(GetParam()));
         program.send(GetParam());
         // LLVM's handlers, while a driver sets them, may swallow a signal: see
         // cli/terminal/driver.h.
@@ -209,8 +205,7 @@ TEST_P(AnInterruptedRun, OnADeviceDoesNotWaitForIt) {
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
             program.send(GetParam());
         }
-        const int code = program.wait().exit_code;
-        EXPECT_TRUE(code == 4 || code == 128 + GetParam()) << code;
+        EXPECT_EQ(program.wait().exit_code, 128 + GetParam());
         EXPECT_EQ(out.names(), Names{});
     }
 }
@@ -220,9 +215,9 @@ INSTANTIATE_TEST_SUITE_P(ByCtrlCOrTheSystem, AnInterruptedRun,
 
 TEST_P(AnInterruptedRun, OfTheCpuBackendInExactDoesSoToo) {
     const Folder folder;
-    // Takes seconds, in a few dozen rounds: most polls come from within a round.
-    Program program({"sample", "--radius", "0.0005", "--backend", "cpu", "--threads", "1", "-o",
-                     folder.path("a.txt")});
+    // Takes minutes, in a few dozen rounds: most polls come from within a round.
+    Program program({"sample", "--radius", "0.0005", "--lines-per-radius", "1000", "--backend",
+                     "cpu", "--threads", "1", "-o", folder.path("a.txt")});
     ASSERT_TRUE(program.waits_for(GetParam()));
     program.send(GetParam());
     const Outcome outcome = program.wait();

@@ -3,12 +3,12 @@
 #include <unistd.h>
 
 #include <cstddef>
-#include <cstdlib>
 #include <sstream>
 #include <string>
 
 #include "cli/stippling.h"
 #include "program.h"
+#include "required.h"
 
 namespace {
 
@@ -27,9 +27,7 @@ class Viewers : public testing::Test {
 protected:
     void SetUp() override {
         if (access(LACUNA_VIEWERS_PYTHON, X_OK) == 0) return;
-        const char* const required = std::getenv("LACUNA_REQUIRE");
-        if (required != nullptr && std::string(required).find("viewers") != std::string::npos)
-            FAIL() << "no " LACUNA_VIEWERS_PYTHON;
+        if (is_required("viewers")) FAIL() << "no " LACUNA_VIEWERS_PYTHON;
         GTEST_SKIP() << "no " LACUNA_VIEWERS_PYTHON ": ./bootstrap.sh test makes it";
     }
     const Folder folder_;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,6 +17,7 @@
 #include "mpi/npy_sink.h"
 #include "mpi/requests.h"
 #include "ranks/sample_on_ranks.h"
+#include "required.h"
 
 namespace {
 
@@ -60,14 +60,9 @@ bool is_same(const Request& request, const std::string& path, int& ranks_used) {
     return same;
 }
 
-bool is_required(const char* backend) {
-    const char* const required = std::getenv("LACUNA_REQUIRE");
-    return required != nullptr && std::string(required).find(backend) != std::string::npos;
-}
-
 bool has(const std::string& backend) {
     const std::vector<Device> all = devices();
-    return is_required(backend.c_str()) ||
+    return lacuna::tests::is_required(backend) ||
            std::any_of(all.begin(), all.end(), [&](const Device& device) {
                return device.backend == backend && device.unusable.empty();
            });

@@ -4,12 +4,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "pictures/image.h"
+#include "required.h"
 
 namespace lacuna::pictures {
 namespace {
@@ -60,9 +60,7 @@ std::string decoded(std::string_view base64) {
 
 // Why the test cannot run; empty if it can. LACUNA_REQUIRE may demand that it does.
 std::string why_no_heif(std::string_view file) {
-    const char* const required = std::getenv("LACUNA_REQUIRE");
-    if (required != nullptr && std::string_view(required).find("heif") != std::string_view::npos)
-        return {};
+    if (tests::is_required("heif")) return {};
     try {
         decode_image(decoded(file), "picture");
     } catch (const FileError& error) {
