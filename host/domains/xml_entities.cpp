@@ -17,11 +17,11 @@ namespace lacuna::domains {
 namespace {
 
 constexpr std::array<std::string_view, 5> kPredefined{"lt", "gt", "amp", "quot", "apos"};
-constexpr std::string_view kBlanks = " \t\r\n";
-constexpr std::size_t kDeepest = 16;         // entities within each other
+constexpr std::string_view kXmlBlanks = " \t\r\n";
+constexpr std::size_t kDeepestEntity = 16;   // entities within each other
 constexpr std::size_t kMostAdded = 1 << 24;  // bytes that entities may add to a file
 
-bool is_in_name(char c) {
+bool is_in_xml_name(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_' || c == '.' || c == ':' || static_cast<unsigned char>(c) >= 128;
 }
@@ -36,14 +36,14 @@ std::string_view take_through(std::string_view& rest, std::string_view end) {
 }
 
 std::string_view take_name(std::string_view& rest) {
-    const auto* const end = std::find_if_not(rest.begin(), rest.end(), is_in_name);
+    const auto* const end = std::find_if_not(rest.begin(), rest.end(), is_in_xml_name);
     const std::string_view name = rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
     rest.remove_prefix(name.size());
     return name;
 }
 
 void skip_blanks(std::string_view& rest) {
-    rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
+    rest.remove_prefix(std::min(rest.find_first_not_of(kXmlBlanks), rest.size()));
 }
 
 // Takes a text in quotes, and gives what stands between them.
@@ -190,7 +190,7 @@ private:
                    "is not defined in this file: must be a text that its DTD gives, or a "
                    "character");
         if (!found->second) refuse(whole, "is defined by another file, which is not read");
-        if (depth == kDeepest) refuse(whole, "more than 16 entities within each other");
+        if (depth == kDeepestEntity) refuse(whole, "more than 16 entities within each other");
         made_.pop_back();
         rest = after.substr(1);
         if (made_.size() + found->second->size() > xml_.size() + kMostAdded)

@@ -22,7 +22,7 @@ if(SHARED_SOURCE)
         -D LACUNA_BENCHMARKS=OFF
         # Without optimisation, in few units, and without the headers of devices, which take most of
         # the time: only building and finding are tested.
-        -D CMAKE_BUILD_TYPE=None -D CMAKE_UNITY_BUILD=ON -D CMAKE_UNITY_BUILD_BATCH_SIZE=16
+        -D CMAKE_BUILD_TYPE=None -D CMAKE_UNITY_BUILD=ON -D CMAKE_UNITY_BUILD_BATCH_SIZE=48
         -D LACUNA_OPENCL=OFF -D LACUNA_VULKAN=OFF)
     run("building the shared library" ${CMAKE_COMMAND} --build ${BUILD})
 endif()

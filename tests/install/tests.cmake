@@ -5,7 +5,8 @@ function(lacuna_install_test name)
         -D EXAMPLE=${PROJECT_SOURCE_DIR}/examples/first_points
         -D COMPILER=${CMAKE_CXX_COMPILER} ${ARGN}
         -P ${PROJECT_SOURCE_DIR}/tests/install/installed_example.cmake)
-    set_tests_properties(install.${name} PROPERTIES TIMEOUT 600)
+    # The shared library is built for it: some 85 s of processor, beside all other tests.
+    set_tests_properties(install.${name} PROPERTIES TIMEOUT 1200)
 endfunction()
 
 set(example_flags)
