@@ -6,11 +6,14 @@
 - in pages, a relative link, or a path in backticks. NAME, GROUP and X in a path stand for anything.
 
 It also fails for an option of CMake that docs/cpp.md does not name, and where the prover or the judge
-of the tests includes code that it must not share with the samplers.
+of the tests includes code that it must not share with the samplers;
+and for what test_lines.py says of the tests.
 """
 import pathlib
 import re
 import sys
+
+import test_lines
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDERS = "cmake docs examples host kernels python shaders tests web".split()
@@ -106,9 +109,12 @@ def main() -> int:
     for path in [ROOT / "CMakeLists.txt", *(ROOT / "cmake").glob("*.cmake")]:
         options = ("".join(found) for found in OPTION.findall(path.read_text()))
         faults += [(cpp, f"a word on the option {one}") for one in options if f"`{one}`" not in named]
+    of_tests = [*test_lines.faults_of_table(), *test_lines.faults_of_lines()]
     for path, fault in faults:
         print(f"{path.relative_to(ROOT)}: {fault} does not exist")
-    return 1 if faults else 0
+    for fault in of_tests:
+        print(fault)
+    return 1 if faults or of_tests else 0
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""hostile_names: random names of files for `lacuna sample --seeds`, among links and folders.
+"""hostile.names: random names of files for `lacuna sample --seeds`, among links and folders.
 
     names.py PROGRAM [--runs N] [--seed S] [--skip K]
 
@@ -160,7 +160,7 @@ def main() -> int:
     parser.add_argument("--skip", type=int, default=0)
     options = parser.parse_args()
     program = os.path.abspath(options.program)
-    print(f"hostile_names: seed {options.seed}", flush=True)
+    print(f"hostile.names: seed {options.seed}", flush=True)
     refused = 0
     for number in range(options.skip, options.skip + options.runs):
         with tempfile.TemporaryDirectory() as folder:
@@ -168,11 +168,11 @@ def main() -> int:
             try:
                 refused += check_run(program, random.Random(f"{options.seed} {number}"))
             except AssertionError as error:
-                print(f"hostile_names: at --seed {options.seed} --skip {number}: {error}", file=sys.stderr)
+                print(f"hostile.names: at --seed {options.seed} --skip {number}: {error}", file=sys.stderr)
                 return 1
             finally:
                 os.chdir("/")
-    print(f"hostile_names: {options.runs} runs, {refused} of them refused, failures 0")
+    print(f"hostile.names: {options.runs} runs, {refused} of them refused, failures 0")
     return 0
 
 

@@ -20,5 +20,5 @@ target_compile_definitions(mpi_test PRIVATE LACUNA_PROGRAM="$<TARGET_FILE:lacuna
 target_compile_features(mpi_test PRIVATE cxx_std_20)
 target_link_libraries(mpi_test PRIVATE lacuna_options GTest::gtest_main)
 add_dependencies(mpi_test lacuna_command lacuna_mpi)
-gtest_discover_tests(mpi_test DISCOVERY_TIMEOUT 60
-    PROPERTIES RUN_SERIAL ON TIMEOUT 300 ENVIRONMENT "${mpi_environment}")
+gtest_discover_tests(mpi_test TEST_PREFIX mpi. DISCOVERY_TIMEOUT 600
+    PROPERTIES RUN_SERIAL ON TIMEOUT 600 ENVIRONMENT "${mpi_environment}")

@@ -12,11 +12,11 @@ foreach(test IN ITEMS opencl_test device_test)
 endforeach()
 
 function(lacuna_opencl_script name)
-    add_test(NAME opencl.${name} COMMAND ${CMAKE_COMMAND}
+    add_test(NAME backends.opencl.${name} COMMAND ${CMAKE_COMMAND}
         -D PROGRAM=$<TARGET_FILE:lacuna_command> -D TESTS=$<TARGET_FILE:opencl_test>
         -D SCRATCH=${PROJECT_BINARY_DIR}/opencl-test -D HAS_VULKAN=${LACUNA_HAS_VULKAN}
         -P ${PROJECT_SOURCE_DIR}/tests/backends/opencl/${name}.cmake)
-    set_tests_properties(opencl.${name} PROPERTIES
+    set_tests_properties(backends.opencl.${name} PROPERTIES
         TIMEOUT 1200 SKIP_REGULAR_EXPRESSION "SKIPPED: ")
 endfunction()
 
