@@ -29,7 +29,8 @@ std::vector<double> deviations_of(const PixelShares& shares, std::span<const std
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (!shares.is_open(i)) continue;
-        const auto minority = static_cast<std::size_t>(std::min(parts[i] + 0L, kOne - parts[i]));
+        const auto minority =
+            static_cast<std::size_t>(std::min<std::int64_t>(parts[i], kOne - parts[i]));
         at_share[minority] += minority;
         sum += minority;
     }

@@ -112,7 +112,6 @@ inline const Tables kStippling{
         {kPath, "a line", kSizes, "several pens", {"path-line"}},
         {kPath, "a line", kHeldInside, "yes", {"path-line"}},
         {kPath, "a line", kDots, "scale", {"path-line"}},
-        {kPath, "a line", kPlotter, "given", {"seconds-per-dot"}},
         {kPath, "no", kPlotter, "given", {}},  // needs a path or a pen
     },
 };
@@ -233,15 +232,16 @@ private:
             options.paper_colour = paper_of("#e0d8c0");
             line_.add("paper-colour", "#e0d8c0");
         }
-        if (is(kInks, "none")) return;
-        const std::string inks = is(kInks, "one")       ? "#223388"
-                                 : is(kInks, "several") ? "red,#0000ff,black"
-                                                        : "red:0.4mm,black:0.7mm";
-        options.inks = inks_of(inks);
-        line_.add("inks", inks);
+        if (!is(kInks, "none")) {
+            const std::string inks = is(kInks, "one")       ? "#223388"
+                                     : is(kInks, "several") ? "red,#0000ff,black"
+                                                            : "red:0.4mm,black:0.7mm";
+            options.inks = inks_of(inks);
+            line_.add("inks", inks);
+        }
         if (is(kInkCounts, "yes")) {
             std::string counts;
-            for (std::size_t i = 0; i < options.inks.size(); ++i) {
+            for (std::size_t i = 0; i < std::max<std::size_t>(options.inks.size(), 1); ++i) {
                 options.ink_counts.push_back(1 + choose_.below(80));
                 counts += (i == 0 ? "" : ",") + std::to_string(options.ink_counts.back());
             }
