@@ -82,7 +82,7 @@ double factor_for(double wanted, double covered) {
 void fit_strokes(std::span<const Point> middles, std::span<Ellipse> strokes,
                  std::span<const double> reaches, const Field& field, const Domain& domain) {
     constexpr int kRounds = 4;
-    constexpr double kReach = 2;  // of a window, in distances to a stroke's neighbours
+    constexpr double kReach = 2;      // of a window, in distances to a stroke's neighbours
     constexpr double kLongest = 1.5;  // times as long as before: few strokes cannot show everything
     constexpr double kLeast = 1 << 16, kMost = 1 << 22, kForAStroke = 64;
     Raster raster(domain,

@@ -31,8 +31,8 @@ using tests::Call;
 const std::set<std::string> kShort{"devices",        "distances_by_sum", "distances_by_union",
                                    "expected_count", "inks_of",          "name_of",
                                    "paper_of",       "ask_older",        "domain_around",
-                                   "domain_like",    "read_picture",
-                                   "check",          "claim_of"};
+                                   "domain_like",    "read_picture",     "check",
+                                   "claim_of"};
 
 double seconds_now() {
     timespec now{};

@@ -173,7 +173,8 @@ TEST_F(ChunksOfALake, BesideItAreFull) {
         const Outcome outcome = made(joined(beside_, places), {csv_});
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_GT(files::read_points(csv_).size(), 300U);
-        EXPECT_EQ(run(joined(joined({"verify", csv_, "--radius", "3"}, beside_), places)).exit_code, 0);
+        EXPECT_EQ(run(joined(joined({"verify", csv_, "--radius", "3"}, beside_), places)).exit_code,
+                  0);
     }
 }
 
@@ -217,17 +218,18 @@ TEST_F(ChunksOfALake, AreEmptyForAClassThatMayLieNowhere) {
     expect_has(some.err, {"has no open place for tree wider than"});
     EXPECT_EQ(content_of(csv_).find("tree"), std::string::npos);
     EXPECT_GT(files::read_points(csv_).size(), 50U);
-    EXPECT_EQ(run(joined(joined({"verify", csv_}, kinds), {"--outside", "tree:" + lake_})).exit_code,
-              0);
+    EXPECT_EQ(
+        run(joined(joined({"verify", csv_}, kinds), {"--outside", "tree:" + lake_})).exit_code, 0);
     EXPECT_EQ(run(joined(joined({"sample", "-o", csv_, "--count", "50"}, kinds),
-                       {"--outside", "tree:" + lake_}))
+                         {"--outside", "tree:" + lake_}))
                   .exit_code,
               0);
     expect_one_error(
-        run(joined(joined({"sample", "-o", csv_, "--count", "50"}, kinds), {"--outside", lake_})), 2,
-        {"--count 50: points may lie nowhere"});
-    expect_one_error(run(joined(joined({"sample", "-o", csv_}, kinds), {"--outside", "tre:" + lake_})),
-                     2, {"tre is not a class"});
+        run(joined(joined({"sample", "-o", csv_, "--count", "50"}, kinds), {"--outside", lake_})),
+        2, {"--count 50: points may lie nowhere"});
+    expect_one_error(
+        run(joined(joined({"sample", "-o", csv_}, kinds), {"--outside", "tre:" + lake_})), 2,
+        {"tre is not a class"});
 }
 
 }  // namespace chunks_test

@@ -199,7 +199,7 @@ struct Request {
     bool progressive = false;
 
     std::optional<std::uint64_t> limit{};  // stop after this many points, >= 1
-    std::uint64_t seed = 0;  // sets of different seeds are independent
+    std::uint64_t seed = 0;                // sets of different seeds are independent
 
     Paper2011 paper2011{};
     Place place = Place();  // {} makes gcc 12 warn at -O3 that its texts may be uninitialized
