@@ -57,7 +57,8 @@ public:
 private:
     std::uint32_t count_;
     std::uint32_t bits_;
-    std::array<std::uint64_t, MOST_CLASSES * MOST_CLASSES> factors_{};  // MOST_CLASSES to a row
+    // MOST_CLASSES to a row.
+    std::array<std::uint64_t, std::size_t{MOST_CLASSES} * MOST_CLASSES> factors_{};
     std::vector<std::uint32_t> weights_;  // the greatest is 2^16, others are at least 1, or 0
 };
 

@@ -210,7 +210,7 @@ std::vector<std::uint64_t> masses_of(const Field& field, double most, const Poll
         const std::size_t row = field.rows - 1 - from_above;
         for (std::uint32_t column = 0; column < field.columns; ++column) {
             const double one = field.importance[row * field.columns + column];
-            const auto mass = static_cast<std::uint64_t>(one / greatest * unit + 0.5);
+            const auto mass = static_cast<std::uint64_t>(std::llround(one / greatest * unit));
             masses.push_back(mass + (one > 0 && mass == 0 ? 1 : 0));
         }
     };

@@ -18,11 +18,13 @@ struct Within {
     double squared_distance;
     std::vector<std::uint32_t> spots{};
 
+    // NOLINTBEGIN(readability-identifier-naming): its names
     double worstDist() const { return squared_distance; }
     bool addPoint(double squared, std::uint32_t index) {
         if (squared < squared_distance) spots.push_back(index);
         return true;
     }
+    // NOLINTEND(readability-identifier-naming)
     bool full() const { return true; }
     bool empty() const { return spots.empty(); }
     std::size_t size() const { return spots.size(); }
