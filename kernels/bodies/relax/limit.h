@@ -68,10 +68,10 @@ BODY u32 near_leaves(MEMORY const SiteArguments a, const u32 first, const Bounds
     return near;
 }
 
-// The leaf itself comes first: its sites are near each other, so that most others are skipped.
-BODY void find_nearest(MEMORY const SiteArguments a, const u32 leaf) {
-    const Bounds box = LOAD(Bounds, node_boxes, a.level_begin + leaf);
-    u64 farthest = lower_by_leaf(ON a, leaf, leaf);
+// Lowers what was found for the sites of a leaf by those of all leaves that are nearer to the box
+// than `farthest`: the greatest of what was found, or that of site `only` if there is one.
+BODY void lower_by_near_leaves(MEMORY const SiteArguments a, const u32 leaf, const Bounds box,
+                               u64 farthest, const u32 only) {
     Cursor at;
     at.level = a.depth;
     at.index = 0u;
@@ -82,9 +82,34 @@ BODY void find_nearest(MEMORY const SiteArguments a, const u32 leaf) {
         u32 near = near_leaves(ON a, at.index * 8u, box, farthest);
         for (; near != 0u; near &= near - 1u) {
             const u32 other = at.index * 8u + lowest_bit(near);
-            if (other != leaf) farthest = lower_by_leaf(ON a, leaf, other);
+            if (other != leaf) {
+                const u64 of_all = lower_by_leaf(ON a, leaf, other);
+                farthest = only < a.lattice.samples ? weight_of(LOAD(Site, limited, only)) : of_all;
+            }
         }
         at = next_cursor(at, a.lattice.samples, a.depth);
+    }
+}
+
+BODY bool is_over_half(const u32 low, const u32 high, const u32 period) {
+    return period != 0u && high - low > period / 2u;
+}
+
+// The leaf itself comes first: its sites are near each other, so that most others are skipped. But
+// on a torus some may lie at the other edge, and the box of all is as wide as the domain. Then each
+// site is searched for alone.
+BODY void find_nearest(MEMORY const SiteArguments a, const u32 leaf) {
+    const Bounds box = LOAD(Bounds, node_boxes, a.level_begin + leaf);
+    const u64 farthest = lower_by_leaf(ON a, leaf, leaf);
+    if (!is_over_half(box.low_x, box.high_x, a.lattice.period_x) &&
+        !is_over_half(box.low_y, box.high_y, a.lattice.period_y)) {
+        lower_by_near_leaves(ON a, leaf, box, farthest, a.lattice.samples);
+        return;
+    }
+    const u32 end = min(leaf * 8u + 8u, a.lattice.samples);
+    for (u32 i = leaf * 8u; i < end; ++i) {
+        const Site site = LOAD(Site, limited, i);
+        lower_by_near_leaves(ON a, leaf, bounds_of(site), weight_of(site), i);
     }
 }
 
