@@ -210,7 +210,9 @@ std::vector<std::uint64_t> masses_of(const Field& field, double most, const Poll
         const std::size_t row = field.rows - 1 - from_above;
         for (std::uint32_t column = 0; column < field.columns; ++column) {
             const double one = field.importance[row * field.columns + column];
-            const auto mass = static_cast<std::uint64_t>(std::llround(one / greatest * unit));
+            const double exact = one / greatest * unit;
+            auto mass = static_cast<std::uint64_t>(exact);
+            mass += exact - static_cast<double>(mass) >= 0.5 ? 1 : 0;
             masses.push_back(mass + (one > 0 && mass == 0 ? 1 : 0));
         }
     };
