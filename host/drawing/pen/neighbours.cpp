@@ -15,6 +15,9 @@ namespace {
 
 // The interface that nanoflann expects of what it finds: all spots within a distance.
 struct Within {
+    using DistanceType = double;
+    using IndexType = std::uint32_t;
+
     double squared_distance;
     std::vector<std::uint32_t> spots{};
 
