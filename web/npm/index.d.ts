@@ -40,6 +40,7 @@ export interface SampleOptions extends Omit<Options, "scale"> {
 export interface StippleOptions extends Options {
     metric?: "min" | "mean" | "max";
     invert?: boolean;
+    light?: boolean;
     black?: Numeric;
     white?: Numeric;
     background?: "white" | "black";
@@ -60,10 +61,13 @@ export interface StippleOptions extends Options {
     sizeByTone?: Numeric;
     keepInside?: boolean;
     penPath?: boolean;
+    noPenPath?: boolean;
     pathLine?: boolean;
     plotTime?: string;
     secondsPerDot?: Numeric;
-    secondsPerMetre?: Numeric;
+    secondsPerMetreDown?: Numeric;
+    secondsPerMetreUp?: Numeric;
+    secondsPerCorner?: Numeric;
 }
 
 export interface PointSet {

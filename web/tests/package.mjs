@@ -47,7 +47,7 @@ function npyOf(points) {
 function checkPinned() {
     const table = new URL("../../tests/pinned.txt", import.meta.url);
     const rows = readFileSync(table, "utf8").split("\n").map((row) => row.split(" "));
-    const own = rows.filter(([, doors]) => /^b?p?n$/.test(doors ?? ""));
+    const own = rows.filter(([hash, doors]) => hash !== "#" && /^b?p?n$/.test(doors ?? ""));
     assert.ok(own.length > 10);
     for (const [hash, , command, ...words] of own) {
         assert.equal(command, "sample");
