@@ -32,7 +32,7 @@ class PageTest(PageCase):
             page.after(lambda: page.set("count", count))
             self.assertAlmostEqual(self.brightness(), 128 / 255, delta=0.03, msg=count)
         page.after(lambda: page.set("light", True))
-        self.assertIn("--light", self.command())
+        self.assertIn("--light", page.text("command"))
         self.assertAlmostEqual(self.brightness(), 0.216, delta=0.03)
 
     def test_a_dropped_photograph_gives_the_bytes_of_the_command(self):
