@@ -21,10 +21,8 @@ namespace arrives_test {
 using namespace lacuna;
 using namespace lacuna::tests;
 
-std::vector<Point> points_by(const Folder& folder, Words command, const Words& options) {
-    command.insert(command.end(), options.begin(), options.end());
-    command.insert(command.end(), {"--quiet", "-o", folder.path("made.csv")});
-    expect_success(command);
+std::vector<Point> points_by(const Folder& folder, const Words& command, const Words& options) {
+    expect_success(joined(joined(command, options), {"--quiet", "-o", folder.path("made.csv")}));
     return files::read_points(folder.path("made.csv"));
 }
 

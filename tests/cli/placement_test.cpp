@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "expectations.h"
 #include "files/read_points.h"
 #include "files/read_whole.h"
 #include "program.h"
@@ -22,22 +23,16 @@ namespace placement_test {
 
 using namespace lacuna;
 using namespace lacuna::tests;
-using Names = std::vector<std::string>;
 using Json = nlohmann::json;
 
-const Names kWood{"--class", "trees:0.05", "--class", "bushes:0.02:2", "--class", "grass:0.006"};
+const Words kWood{"--class", "trees:0.05", "--class", "bushes:0.02:2", "--class", "grass:0.006"};
 
-Names with(Names first, const Names& more) {
-    first.insert(first.end(), more.begin(), more.end());
-    return first;
+Outcome sample_with(const Words& arguments) {
+    return tests::run(joined({"sample", "--quiet"}, arguments));
 }
 
-Outcome sample_with(const Names& arguments) {
-    return tests::run(with({"sample", "--quiet"}, arguments));
-}
-
-Outcome verify_with(const Names& arguments) {
-    return tests::run(with({"verify"}, arguments));
+Outcome verify_with(const Words& arguments) {
+    return tests::run(joined({"verify"}, arguments));
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -63,22 +58,22 @@ TEST(Classes, OfACountAreReportedWithTheDistancesThatTheyKeep) {
 TEST(Classes, HaveTheirNumbersOfPointsInFilesAndProofs) {
     const Folder folder;
     const std::string csv = folder.path("a.csv"), json = folder.path("a.json");
-    const Names asked{"--class",         "trees:0.05:1:12", "--class",
+    const Words asked{"--class",         "trees:0.05:1:12", "--class",
                       "bushes:0.03::20", "--class",         "grass:0.01:2"};
-    ASSERT_EQ(sample_with(with(asked, {"-o", csv, "-o", json})).exit_code, 0);
+    ASSERT_EQ(sample_with(joined(asked, {"-o", csv, "-o", json})).exit_code, 0);
     const Json set = Json::parse(files::read_whole(json));
     EXPECT_EQ(set["classes"][0]["count"], 12);
     EXPECT_EQ(set["classes"][1]["count"], 20);
     EXPECT_EQ(set["options"]["counts"], (Json{12, 20, nullptr}));
     const std::string verdict = "a maximal Poisson-disk set of 3 classes with their numbers";
-    for (const Names& options : {Names{json}, with({csv}, asked)}) {
+    for (const Words& options : {Words{json}, joined({csv}, asked)}) {
         const Outcome proven = verify_with(options);
         EXPECT_EQ(proven.exit_code, 0) << proven.out;
         EXPECT_NE(proven.out.find(verdict), std::string::npos) << proven.out;
     }
-    Names other = asked;
+    Words other = asked;
     other[1] = "trees:0.05:1:13";
-    const Outcome refuted = verify_with(with({csv, "--json"}, other));
+    const Outcome refuted = verify_with(joined({csv, "--json"}, other));
     EXPECT_EQ(refuted.exit_code, 1);
     const Json found = Json::parse(refuted.out)["sets"][0];
     EXPECT_EQ(found["verdict"], "refused: class trees has 12 points in place of 13");
@@ -120,8 +115,8 @@ TEST(Classes, AreNamedInFilesAndProvenFromThem) {
     const Folder folder;
     const std::string csv = folder.path("a.csv"), json = folder.path("a.json");
     const std::string svg = folder.path("a.svg"), ply = folder.path("a.ply");
-    ASSERT_EQ(sample_with(with(kWood, {"--between", "union", "--torus", "-o", csv, "-o", json, "-o",
-                                       svg, "-o", ply}))
+    ASSERT_EQ(sample_with(joined(kWood, {"--between", "union", "--torus", "-o", csv, "-o", json,
+                                         "-o", svg, "-o", ply}))
                   .exit_code,
               0);
     std::vector<std::string> lines = lines_of(files::read_whole(csv));
@@ -145,7 +140,7 @@ TEST(Classes, AreNamedInFilesAndProvenFromThem) {
 
     // A .json says what was asked for, a .csv needs the options.
     EXPECT_EQ(verify_with({json}).exit_code, 0);
-    const Names options = with({csv, "--between", "union", "--torus"}, kWood);
+    const Words options = joined({csv, "--between", "union", "--torus"}, kWood);
     const Outcome proven = verify_with(options);
     EXPECT_EQ(proven.exit_code, 0) << proven.out;
     EXPECT_NE(proven.out.find("a maximal Poisson-disk set of 3 classes"), std::string::npos);
@@ -173,26 +168,27 @@ TEST(Classes, HaveTheirKeptPointsFirst) {
     const Folder folder;
     const std::string csv = folder.path("a.csv"), kept = folder.path("kept.csv");
     write_file(kept, "x,y,class\n0.25,0.5,grass\n0.75,0.5,trees\n");
-    const Names keep{"--keep", kept};
-    ASSERT_EQ(sample_with(with(with(kWood, keep), {"-o", csv})).exit_code, 0);
+    const Words keep{"--keep", kept};
+    ASSERT_EQ(sample_with(joined(joined(kWood, keep), {"-o", csv})).exit_code, 0);
     EXPECT_TRUE(files::read_whole(csv).starts_with("x,y,class\n0.25,0.5,grass\n0.75,0.5,trees\n"));
-    EXPECT_EQ(verify_with(with(with({csv}, kWood), keep)).exit_code, 0);
+    EXPECT_EQ(verify_with(joined(joined({csv}, kWood), keep)).exit_code, 0);
 }
 
 TEST(Classes, AreInEveryFileOfSeeds) {
     const Folder folder;
     ASSERT_EQ(
-        sample_with(with(kWood, {"--seeds", "3..4", "-o", folder.path("{seed}.csv")})).exit_code,
+        sample_with(joined(kWood, {"--seeds", "3..4", "-o", folder.path("{seed}.csv")})).exit_code,
         0);
-    ASSERT_EQ(sample_with(with(kWood, {"--seed", "4", "-o", folder.path("own.csv")})).exit_code, 0);
+    ASSERT_EQ(sample_with(joined(kWood, {"--seed", "4", "-o", folder.path("own.csv")})).exit_code,
+              0);
     EXPECT_EQ(files::read_whole(folder.path("4.csv")), files::read_whole(folder.path("own.csv")));
     EXPECT_NE(files::read_whole(folder.path("3.csv")), files::read_whole(folder.path("own.csv")));
 }
 
 TEST(Classes, AreRefusedInOneLine) {
     const Folder folder;
-    const auto refusal = [](const Names& arguments) {
-        const Outcome outcome = sample_with(with(arguments, {"--format", "csv"}));
+    const auto refusal = [](const Words& arguments) {
+        const Outcome outcome = sample_with(joined(arguments, {"--format", "csv"}));
         EXPECT_NE(outcome.exit_code, 0);
         return outcome.err;
     };
@@ -226,12 +222,12 @@ TEST(Classes, AreRefusedInOneLine) {
               "lacuna: --class a:1: must have no radius with distances from a file: give NAME or "
               "NAME::WEIGHT\n");
     write_file(folder.path("kept.csv"), "x,y\n0.5,0.5\n");
-    EXPECT_EQ(refusal(with(kWood, {"--keep", folder.path("kept.csv")})),
+    EXPECT_EQ(refusal(joined(kWood, {"--keep", folder.path("kept.csv")})),
               "lacuna: " + folder.path("kept.csv") +
                   ": its points have no class: with --class a .csv needs a column class with "
                   "names, as lacuna writes it\n");
     write_file(folder.path("kept.csv"), "x,y,class\n0.5,0.5,rocks\n");
-    EXPECT_EQ(refusal(with(kWood, {"--keep", folder.path("kept.csv")})),
+    EXPECT_EQ(refusal(joined(kWood, {"--keep", folder.path("kept.csv")})),
               "lacuna: " + folder.path("kept.csv") +
                   ": has points of the class rocks, which no --class names\n");
 }
@@ -239,14 +235,14 @@ TEST(Classes, AreRefusedInOneLine) {
 TEST(Classes, MayBeNamedInTheFileOfTheirDistances) {
     const Folder folder;
     const std::string file = folder.path("m.csv"), csv = folder.path("a.csv");
-    const auto made_with = [&](const std::string& matrix, const Names& classes) {
+    const auto made_with = [&](const std::string& matrix, const Words& classes) {
         write_file(file, matrix);
-        const Outcome outcome = sample_with(with(classes, {"--between", file, "-o", csv}));
+        const Outcome outcome = sample_with(joined(classes, {"--between", file, "-o", csv}));
         EXPECT_EQ(outcome.exit_code, 0) << matrix << outcome.err;
         return content_of(csv);
     };
-    const Names trees_first{"--class", "trees", "--class", "rocks"};
-    const Names rocks_first{"--class", "rocks", "--class", "trees"};
+    const Words trees_first{"--class", "trees", "--class", "rocks"};
+    const Words rocks_first{"--class", "rocks", "--class", "trees"};
     const std::string expected = made_with("0.2,0.1\n0.1,0.3\n", trees_first);
     for (const char* const same :
          {"0.2;0.1\n0.1;0.3\n", "0.2\t0.1\n0.1\t0.3\n", "0.2  0.1\n0.1 0.3\n",
@@ -332,8 +328,8 @@ TEST(Obstacles, AreReadAsPointsAre) {
 
 TEST(Obstacles, AreRefusedInOneLine) {
     const Folder folder;
-    const auto refusal = [](const Names& arguments) {
-        const Outcome outcome = sample_with(with(arguments, {"--radius", "0.1"}));
+    const auto refusal = [](const Words& arguments) {
+        const Outcome outcome = sample_with(joined(arguments, {"--radius", "0.1"}));
         EXPECT_NE(outcome.exit_code, 0);
         return outcome.err;
     };
@@ -372,18 +368,18 @@ TEST(Strokes, OfADrawingAreAvoidedOrFilledInTheirWidth) {
                "<line y1='5' x2='60' y2='5' stroke-width='2'/></g></svg>");
     for (const double factor : {1.0, 2.0})
         for (const std::string option : {"--avoid", "--near"}) {
-            const Names asked{option,     map + "#roads:stroke",           "--radius", "1",
+            const Words asked{option,     map + "#roads:stroke",           "--radius", "1",
                               "--domain", factor == 1 ? "60x40" : "120x80"};
-            ASSERT_EQ(sample_with(with(asked, {"-o", csv})).exit_code, 0);
-            EXPECT_EQ(verify_with(with({csv}, asked)).exit_code, 0);
+            ASSERT_EQ(sample_with(joined(asked, {"-o", csv})).exit_code, 0);
+            EXPECT_EQ(verify_with(joined({csv}, asked)).exit_code, 0);
             for (const Point& point : files::read_points(csv)) {
                 const bool is_on_road =
                     std::abs(point.x / factor - 30) < 4 || std::abs(point.y / factor - 35) < 1;
                 EXPECT_EQ(is_on_road, option == "--near") << point.x << " " << point.y;
             }
         }
-    const auto refusal = [&](const Names& options) {
-        return sample_with(with(options, {"--radius", "1", "-o", csv})).err;
+    const auto refusal = [&](const Words& options) {
+        return sample_with(joined(options, {"--radius", "1", "-o", csv})).err;
     };
     EXPECT_EQ(refusal({"--avoid", map + ":stroke", "--domain", "60x50"}),
               "lacuna: --avoid " + map +

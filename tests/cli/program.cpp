@@ -112,4 +112,10 @@ Outcome run(const std::vector<std::string>& arguments, const Setting& setting) {
     return Program(arguments, setting).wait();
 }
 
+Outcome run_in(const Folder& folder, const std::string& command) {
+    Setting shell;
+    shell.program = "/bin/sh";
+    return run({"-c", "cd " + folder.path("") + " && " + command}, shell);
+}
+
 }  // namespace lacuna::tests

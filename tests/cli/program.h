@@ -51,4 +51,7 @@ private:
 
 Outcome run(const std::vector<std::string>& arguments, const Setting& setting = {});
 
+// Runs a command of the shell in a folder.
+Outcome run_in(const Folder& folder, const std::string& command);
+
 }  // namespace lacuna::tests

@@ -47,14 +47,11 @@ TEST(FilesOfClasses, AreNoClassesAfterADotAndASlash) {
     write_file(folder.path("a:b.txt"), "0.5 0\n1 0\n1 1\n0.5 1\n");
     write_file(folder.path("b.txt"), "0 0\n0.5 0\n0.5 1\n0 1\n");
     const auto made = [&](const std::string& inside) {
-        Setting shell;
-        shell.program = "/bin/sh";
-        const Outcome outcome = run(
-            {"-c", "cd '" + folder.path("") +
-                       "' && '" LACUNA_PROGRAM
-                       "' sample --class a:0.1 --class c:0.1 --domain 1x1 --format csv --inside " +
-                       inside},
-            shell);
+        const Outcome outcome =
+            run_in(folder, LACUNA_PROGRAM
+                               " sample --class a:0.1 --class c:0.1 --domain 1x1 "
+                               "--format csv --inside " +
+                               inside);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         return outcome.out;
     };

@@ -62,13 +62,6 @@ Words outputs_of(const std::string& command) {
     return outputs;
 }
 
-// Runs a command in `folder`, which holds the names that README's commands begin with.
-Outcome run_in(const Folder& folder, const std::string& command) {
-    Setting shell;
-    shell.program = "/bin/sh";
-    return run({"-c", "cd " + folder.path("") + " && " + command}, shell);
-}
-
 // The mean darkness of the smallest rectangle that holds all ink, so without margins.
 double ink_of(const Image& image) {
     std::size_t left = image.columns, right = 0, top = image.rows, bottom = 0;
