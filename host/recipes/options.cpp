@@ -298,7 +298,7 @@ constexpr Row kRows[] = {
 
     // Looking at sets
     {{"tolerance", "T", Kind::number, kVerify},
-     "How far over R a gap may be (default 2^-28 of the longer side)"},
+     "How far over R a gap may be (default 2^-28 of the longer side, for one radius everywhere)"},
     {{"distances-only", "", Kind::flag, kVerify},
      "Look for points too close only: for sets that are not meant to be maximal"},
     {{"max-frequency", "F", Kind::number, kAnalyze},

@@ -263,7 +263,8 @@ def verify(
         Whether the edges wrap. By default as in the PointSet, else False.
     tolerance : float, optional
         How far over the limit a gap may be. By default 2^-28 of the longer side; twice that with a
-        field, mask, polygons or border.
+        field, mask, polygons, border or kept points; and with classes twice that or more, see
+        docs/exact.md.
     distances_only : bool
         Do not look for gaps, which takes most of the time.
 

@@ -3,9 +3,12 @@
 #include <lacuna/verify.h>
 
 #include <atomic>
+#include <cmath>
+#include <functional>
 #include <vector>
 
 #include "judge/plane.h"
+#include "verify/polygons_of.h"
 
 namespace {
 
@@ -77,6 +80,86 @@ TEST(Prove, WithAToleranceOverAPercentFindsNoSetMaximal) {
     claim.tolerance = 0.01;
     EXPECT_TRUE(prove(points, claim).covered);
     EXPECT_FALSE(prove(points, claim).maximal);
+}
+
+// One point in the middle of the unit square, whose gaps are its corners or those of its border. So
+// wide as is promised they are covered, and no wider: docs/exact.md, "Why the set is maximal".
+TEST(Prove, AcceptsAGapThatIsOverTheLimitByAsMuchAsIsPromisedAndNoMore) {
+    const Point middle{0.5, 0.5};
+    const Field even{1, 1, {1}, {}}, round{1, 1, {1}, {Stretch{}}};
+    const Mask all{1, 1, {1}};
+    const std::vector<PolygonRing> square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    const std::vector<Point> outside{{1.5, 0.5}};
+    const auto classes = [](std::size_t count, double share) {
+        return [=](Claim& claim, double limit) {
+            claim.radius = 0;
+            Classes& made = claim.classes;
+            made.names.assign(count, "a");
+            made.distances.assign(count * count, share * limit);
+            made.distances[0] = limit;
+            made.weights.assign(count, 0);
+            made.weights[0] = 1;
+            static constexpr std::uint8_t kFirst = 0;
+            claim.class_of_points = {&kFirst, 1};
+        };
+    };
+    struct Row {
+        const char* name;
+        double times;  // of 2^-28 of the longer side
+        std::function<void(Claim&, double)> add;
+        double gap = std::sqrt(0.5);
+    };
+    const auto follow = [](const Field& field) {
+        return [&field](Claim& claim, double limit) {
+            claim.field = &field;
+            claim.scale = limit;
+        };
+    };
+    for (const Row& row : std::vector<Row>{
+             {"one radius", 1, [](Claim&, double) {}},
+             {"a field", 2, follow(even)},
+             {"ellipses", 2, follow(round)},
+             {"a mask", 2, [&](Claim&claim, double) { claim.mask = &all; }},
+             {"polygons", 2, [&](Claim&claim, double) { claim.polygons = polygons_of(square); }},
+             {"a border", 2, [](Claim&claim, double) { claim.border = 0.25; }, std::sqrt(0.125)},
+             {"a kept point", 2,
+              [&](Claim&claim, double) {
+                  claim.keep = {&middle, 1};
+              }},
+             {"a neighbour", 3, [&](Claim&claim, double) { claim.keep = outside; }},
+             {"2 classes", 2, classes(2, 1)},
+             {"2 classes, 1 to 3", 6, classes(2, 3)},
+             {"5 classes", 4, classes(5, 1)},
+             {"9 classes, 1 to 3", 24, classes(9, 3)}}) {
+        const auto covered = [&](double times) {
+            Claim claim;
+            claim.radius = row.gap - times * row.times * 0x1p-28;
+            row.add(claim, claim.radius);
+            const Proof proof = prove({&middle, 1}, claim);
+            EXPECT_EQ(proof.tolerance, row.times * 0x1p-28) << row.name;
+            return proof.maximal;
+        };
+        EXPECT_TRUE(covered(0.99)) << row.name;
+        EXPECT_FALSE(covered(1.01)) << row.name;
+        EXPECT_FALSE(covered(2)) << row.name;
+    }
+}
+
+// The kept point is rounded to a position that is nearer to the corner by 1.4 units of 2^-30, and
+// the radius is rounded up by 3.
+TEST(Prove, OfASetAroundAKeptPointAcceptsWhatRoundingLosesWhichIsOverThatOfOneRadius) {
+    const double middle = 0.5 + 0.99 * 0x1p-30;
+    Request request;
+    request.radius = middle * std::sqrt(2.0) - 4.3 * 0x1p-30;
+    const std::vector<Point> kept{{middle, middle}};
+    request.keep = kept;
+    const Result result = sample(request);
+    EXPECT_TRUE(result.maximal);
+    EXPECT_EQ(result.points, kept);
+    Claim claim = claim_of(request, result);
+    EXPECT_TRUE(prove(result.points, claim).maximal);
+    claim.tolerance = 0x1p-28;
+    EXPECT_FALSE(prove(result.points, claim).covered);
 }
 
 TEST(Prove, TellsOfAPointOutsideAndRefusesNonsense) {

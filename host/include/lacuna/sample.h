@@ -13,8 +13,8 @@
 //     With a field, a mask, a border or kept points each pixel has its own radius. Two points are
 //     no closer than the smaller of their radii. Points lie only where samples may lie. Every spot
 //     where samples may lie is covered: some point is no farther than the smaller radius of the
-//     two, plus 2^-28 of the longer side. A spot within 2^-28 of the longer side of a pixel's
-//     border may have the radius of either pixel.
+//     two, plus 2^-27 of the longer side; with classes see Claim::tolerance in lacuna/verify.h. A
+//     spot within 2^-28 of the longer side of a pixel's border may have the radius of either pixel.
 //   - Mode::lines with Paper2011::snap: no two points are closer than the radius. Without snap
 //     (Kalantari & Sen 2011, section 4.1, x interpolated in its strip) no two points are closer
 //     than radius * (1 - 1 / (2 * lines_per_radius)). Gaps narrower than a strip remain.
