@@ -24,9 +24,10 @@ Outcome made_alone(const Request& request) {
 }
 
 tests::MadeOnRanks expect_same(const Request& request, const Outcome& expected, std::uint32_t ranks,
-                               const std::string& backend, std::uint32_t depth = Border::kDepth) {
+                               const std::vector<std::string>& backends,
+                               std::uint32_t depth = Border::kDepth) {
     SCOPED_TRACE(tests::describe(request) + ", ranks " + std::to_string(ranks));
-    tests::MadeOnRanks made = tests::run_on_ranks(make_plan(request), ranks, backend, depth);
+    tests::MadeOnRanks made = tests::run_on_ranks(make_plan(request), ranks, backends, depth);
     EXPECT_EQ(made.outcome.rounds, expected.rounds);
     EXPECT_EQ(made.outcome.draws, expected.draws);
     EXPECT_EQ(made.outcome.samples, expected.samples.size());
@@ -63,7 +64,7 @@ TEST_P(OnRanks, TheSetOfOneProcess) {
         const std::uint32_t most = most_ranks(make_plan(requests[i]));
         for (const std::uint32_t ranks : {1u, 2u, 3u, 5u}) {
             if (ranks > most || (!is_cpu && ranks % 2 != 0 && ranks != 3)) continue;
-            expect_same(requests[i], expected, ranks, GetParam());
+            expect_same(requests[i], expected, ranks, {GetParam()});
             ++compared;
         }
     }
@@ -74,11 +75,30 @@ TEST_P(OnRanks, TheFirstSamplesOfALimit) {
     for (const std::uint64_t limit : {1u, 2u, 700u, 5000u}) {
         Request request = small_request(2, 1, 0.02, Boundary::torus);
         request.limit = limit;
-        expect_same(request, made_alone(request), 3, GetParam());
+        expect_same(request, made_alone(request), 3, {GetParam()});
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(Backend, OnRanks, tests::kParallelBackends, tests::name_of_parameter);
+
+// Ranks may run on different machines: some on a card, some on processors.
+class OnUnlikeRanks : public tests::OnBackend {};
+
+TEST_P(OnUnlikeRanks, TheSetOfOneProcess) {
+    std::vector<std::string> backends{"cpu", GetParam()};
+    for (const std::string other : {"opencl", "vulkan"})
+        if (other != GetParam() && tests::why_missing(other).empty()) backends.push_back(other);
+    const std::vector<Request> requests = tests::equality_requests(Mode::exact);
+    std::size_t compared = 0;
+    for (std::size_t i = 7; i < requests.size(); i += 41) {
+        if (most_ranks(make_plan(requests[i])) < 4) continue;
+        expect_same(requests[i], made_alone(requests[i]), 4, backends);
+        ++compared;
+    }
+    EXPECT_GE(compared, 3u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Device, OnUnlikeRanks, tests::kDeviceBackends, tests::name_of_parameter);
 
 TEST(ManyRanks, FromOneTo64) {
     for (const Boundary boundary : {Boundary::torus, Boundary::box}) {
@@ -87,8 +107,8 @@ TEST(ManyRanks, FromOneTo64) {
         const std::uint32_t most = most_ranks(make_plan(request));
         ASSERT_GE(most, 64u);
         for (std::uint32_t ranks = 1; ranks <= 64; ranks += ranks < 8 ? 1 : 14)
-            expect_same(request, expected, ranks, "cpu");
-        expect_same(request, expected, 64, "cpu");
+            expect_same(request, expected, ranks, {"cpu"});
+        expect_same(request, expected, 64, {"cpu"});
     }
 }
 
@@ -99,7 +119,7 @@ TEST(FewColumns, AsManyRanksAsThereMayBe) {
             const Request request = small_request(1, height, radius, Boundary::torus);
             const std::uint32_t most = most_ranks(make_plan(request));
             for (std::uint32_t ranks = 1; ranks <= most; ++ranks)
-                expect_same(request, made_alone(request), ranks, "cpu");
+                expect_same(request, made_alone(request), ranks, {"cpu"});
         }
 }
 
@@ -107,11 +127,11 @@ TEST(Border, LooksAtTheWholeStripWhereItMust) {
     Request request = small_request(4, 1, 0.01, Boundary::torus);
     const Outcome expected = made_alone(request);
 
-    const tests::MadeOnRanks made = expect_same(request, expected, 4, "cpu", 2);
+    const tests::MadeOnRanks made = expect_same(request, expected, 4, {"cpu"}, 2);
 
     EXPECT_GT(whole_looks(made), 0u);
     // At the usual depth of Border, no rank has to locate all columns.
-    EXPECT_EQ(whole_looks(expect_same(request, expected, 4, "cpu")), 0u);
+    EXPECT_EQ(whole_looks(expect_same(request, expected, 4, {"cpu"})), 0u);
 }
 
 TEST(Border, SettlesRoundsThatCrowd) {
@@ -119,7 +139,7 @@ TEST(Border, SettlesRoundsThatCrowd) {
     for (const std::uint64_t size : {1000u, 30000u}) {
         request.paper2011.round_size = size;
         const Outcome expected = made_alone(request);
-        for (const std::uint32_t ranks : {2u, 7u}) expect_same(request, expected, ranks, "cpu");
+        for (const std::uint32_t ranks : {2u, 7u}) expect_same(request, expected, ranks, {"cpu"});
     }
 }
 
@@ -128,7 +148,7 @@ TEST(Border, SendsFewBytesASampleAndMessagesThatDoNotGrowWithTheSet) {
     for (const double radius : {0.02, 0.005, 0.00125}) {
         const Request request = small_request(1, 1, radius, Boundary::torus);
         const Outcome expected = made_alone(request);
-        const tests::MadeOnRanks made = expect_same(request, expected, 4, "cpu");
+        const tests::MadeOnRanks made = expect_same(request, expected, 4, {"cpu"});
         std::uint64_t samples = 0;
         for (const Border::Tally& tally : made.tallies) {
             samples += tally.samples;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -61,8 +62,10 @@ struct MadeOnRanks {
     std::uint64_t bytes = 0;             // sent between neighbours
 };
 
-// Each rank has one thread. The backends are made one after another, because drivers compile then.
-inline MadeOnRanks run_on_ranks(const Plan& plan, std::uint32_t count, const std::string& backend,
+// Each rank has one thread. The backends are made one after another, because drivers compile then;
+// the ranks have those named in turn.
+inline MadeOnRanks run_on_ranks(const Plan& plan, std::uint32_t count,
+                                const std::vector<std::string>& names,
                                 std::uint32_t depth = Border::kDepth) {
     Ring ring(count);
     SharedSink sink;
@@ -71,7 +74,8 @@ inline MadeOnRanks run_on_ranks(const Plan& plan, std::uint32_t count, const std
     std::vector<Strip> strips;
     std::vector<std::unique_ptr<Backend>> backends;
     for (std::uint32_t i = 0; i < count; ++i) strips.push_back(strip_of(plan, i, count));
-    for (const Strip& strip : strips) backends.push_back(make_backend(backend, strip.plan));
+    for (std::size_t i = 0; i < count; ++i)
+        backends.push_back(make_backend(names[i % names.size()], strips[i].plan));
     on_threads(ring, [&](Ranks& rank) {
         RankSink own(sink);
         Observer nobody;
