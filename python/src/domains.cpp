@@ -76,13 +76,18 @@ Mask mask_of(const nb::list& polygons, const nb::dict& given) {
 
 nb::tuple domain_of(const nb::list& given) {
     PolygonSets sets(given);
-    const Domain domain = domain_around(sets.copy());
+    Domain domain;
+    Point most{};  // a sum of corner and sides would be rounded
+    {
+        const Unlocked unlocked;
+        domain = domain_around(sets.copy());
+        most = {domain.x0, domain.y0};
+        for (const PolygonSet& set : sets.copy())
+            for (const PolygonRing& ring : set.rings)
+                for (const Point& point : ring)
+                    most = {std::max(most.x, point.x), std::max(most.y, point.y)};
+    }
     if (!domain.has_corner()) return nb::make_tuple(domain.width, domain.height);
-    Point most{domain.x0, domain.y0};  // a sum of corner and sides would be rounded
-    for (const PolygonSet& set : sets.copy())
-        for (const PolygonRing& ring : set.rings)
-            for (const Point& point : ring)
-                most = {std::max(most.x, point.x), std::max(most.y, point.y)};
     if (domain.width > most.x - domain.x0)  // larger than they need
         most = {domain.x0 + domain.width, domain.y0 + domain.height};
     return nb::make_tuple(domain.x0, domain.y0, most.x, most.y);

@@ -71,8 +71,13 @@ def test_what_progress_raises_ends_the_run() -> None:
 
 # A thread that waits for the gate runs only when a call gives way: Python itself does not switch.
 PROGRAM = """
-import os, signal, sys, threading
+import os, signal, sys, tempfile, threading
 import numpy as np, lacuna
+folder = tempfile.TemporaryDirectory()
+path, saved = os.path.join(folder.name, "square.txt"), os.path.join(folder.name, "saved.csv")
+with open(path, "w") as file:
+    file.write("0 0\\n1 0\\n1 1\\n")
+square, made = lacuna.read_polygons(path), lacuna.sample(0.1, seed=1)
 few, many = (np.random.default_rng(1).random((n, 2)) for n in (50, 10_001))
 ramp = np.linspace(0, 1, 16) * np.ones((16, 1))
 CALLS = {
@@ -81,12 +86,19 @@ CALLS = {
     "field": lambda: lacuna.sample(n=600, field=ramp, seed=1),
     "cells": lambda: lacuna.sample(n=600, field=ramp, mode="cells", seed=1),
     "sample_many": lambda: lacuna.sample_many(range(4), n=20),
+    "sample_many of tiles": lambda: lacuna.sample_many([1], radius=0.1, torus=True, frame=0.2),
     "relax": lambda: lacuna.relax(few, iterations=1),
     "verify": lambda: lacuna.verify(many, 0.01, distances_only=True),
     "analyze": lambda: lacuna.analyze(few, max_frequency=0.5),
     "order": lambda: lacuna.order(few),
     "stipple": lambda: lacuna.stipple(np.eye(8), 10, relax=1, seed=1),
     "threshold_mask": lambda: lacuna.threshold_mask(32, 32),
+    "domain_around": lambda: lacuna.domain_around(square),
+    "draw_mask": lambda: lacuna.draw_mask(square, 0.1, domain=(1, 1)),
+    "read_polygons": lambda: lacuna.read_polygons(path),
+    "read_lines": lambda: lacuna.read_lines(path),
+    "save": lambda: made.save(saved),
+    "devices": lambda: lacuna.devices(),
     "opencl": lambda: lacuna.sample(0.1, seed=1, backend="opencl"),
     "vulkan": lambda: lacuna.sample(0.1, seed=1, backend="vulkan"),
     "relax on opencl": lambda: lacuna.relax(few, iterations=1, backend="opencl"),
@@ -134,6 +146,11 @@ while not ran.is_set() and calls < 5000:  # the thread may be slow to wake up
     calls += 1
 print(ran.is_set())
 """
+
+
+def test_calls_are_of_all_functions() -> None:
+    functions = {name for name in lacuna.__all__ if not isinstance(getattr(lacuna, name), type)}
+    assert {kind.split()[0] for kind in KINDS} >= functions
 
 
 @pytest.mark.parametrize("kind", KINDS)
