@@ -114,7 +114,7 @@ std::uint64_t suiting_count(const Tones& tones, const Domain& domain, const Styl
     std::uint64_t all = 0;
     for (std::size_t k = 0; k < tones.fields.size(); ++k)
         all += default_count(tones.fields[k], domain, tones.sizing_of(k), style);
-    return all;
+    return std::min(all, static_cast<std::uint64_t>(kMostDots));
 }
 
 // About how long the path through n dots is, in mm, over sqrt(n), and the same times the width of

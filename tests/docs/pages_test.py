@@ -26,6 +26,7 @@ COUNTS = {
                   ("30,084 dots of 0.5 mm", "stipple examples/raccoon.png --dot-size 0.5mm "
                    "--paper-size A6 --margin 8mm")],
     "docs/stipple.md": [
+        ("27,278", "stipple examples/raccoon.png"),
         ("77,658 dots in exact", "stipple examples/raccoon.png --scale 0.002 --relax 0 --mode exact"),
         ("74,584 in cells", "stipple examples/raccoon.png --scale 0.002 --relax 0")],
     "docs/domains.md": [("`: 2,628 points.", "sample --inside examples/lakes.svg --radius 1 --border 1"),

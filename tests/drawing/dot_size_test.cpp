@@ -1,6 +1,8 @@
 // Dots sized by the local radius cover as much of the paper as the importance asks for.
 #include "drawing/dot_size.h"
 #include "drawing/coverage.h"
+#include "drawing/dot_count.h"
+#include "drawing/tones.h"
 
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
@@ -11,6 +13,7 @@
 #include <cstdint>
 #include <numbers>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace lacuna::pen {
@@ -207,6 +210,23 @@ TEST(DotDiameters, GivenAllTonesThenThereAreFewSizes) {
     diameters.erase(std::unique(diameters.begin(), diameters.end()), diameters.end());
     EXPECT_GT(diameters.size(), 10U);
     EXPECT_LT(diameters.size(), 40U);
+}
+
+// docs/stipple.md, "How many": the million is of all inks together.
+TEST(TheNumberOfDots, CountsASideAs512To2048PixelsAndIsAMillionAtMost) {
+    const auto black = [](std::uint32_t columns) {
+        return Field{columns, 1, std::vector<double>(columns, 1)};
+    };
+    for (const auto& [columns, counted] : {std::pair{1U, 512U}, {700U, 700U}, {4096U, 2048U}})
+        EXPECT_EQ(drawing::dot_count(black(columns), {1, 1}), counted * counted / 16) << columns;
+    for (const std::size_t inks : {0U, 1U, 2U}) {
+        drawing::Tones tones;
+        tones.sizing.pens = Pens{0.01, 0.01};
+        tones.layers.resize(inks);
+        tones.fields.assign(std::max<std::size_t>(1, inks), black(1));
+        tones.sum = black(1);
+        EXPECT_EQ(drawing::suiting_count(tones, {1, 1}, {}), 1'000'000U) << inks << " inks";
+    }
 }
 
 }  // namespace

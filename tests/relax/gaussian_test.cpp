@@ -250,6 +250,13 @@ TEST(Gaussian, IsRefusedForACrowdOfPoints) {
     const std::string crowded = refusal_of([&] { relax(crowd, nullptr, options); });
     EXPECT_TRUE(crowded.starts_with("points (0.255, 0.505): over 1024 points lie in two by two"))
         << crowded;
+    const std::string large =
+        "gaussian 1: is for at most 2^28 points, 2^18 mean spacings along a side";
+    EXPECT_EQ(refusal_of([&] { make_gaussian((1U << 28) + 1, options); }), large);
+    EXPECT_EQ(refusal_of([&] { make_gaussian(1U << 28, options); }), "accepted");
+    options.domain.width = 1000;
+    EXPECT_EQ(refusal_of([&] { make_gaussian(69'000'000, options); }), large);
+    EXPECT_EQ(refusal_of([&] { make_gaussian(68'000'000, options); }), "accepted");
 }
 
 }  // namespace
