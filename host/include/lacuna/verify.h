@@ -62,9 +62,9 @@ struct Claim {
     // How far over the radius a gap may be. If unset, it is 2^-28 of the longer side, which is more
     // than sample() may lose by rounding the radius up. With a field, mask, polygons, border or
     // kept points it is twice as much, because these are rounded too. With classes it is also twice
-    // as much, times the greatest distance of two classes over the least that is not 0, and with
-    // over 4 classes twice, with over 8 four times that. With neighbours the longer side is that of
-    // the box around the domain and the neighbours that matter.
+    // as much, times the greatest distance of two classes over the least that is not 0. More than 4
+    // classes double that, and more than 8 make it four times as large. With neighbours the longer
+    // side is that of the box around the domain and the neighbours that matter.
     std::optional<double> tolerance{};
     bool distances_only = false;  // gaps are not looked for, which takes most of the time
 
