@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "cli/pictures.h"
 #include "files/read_points.h"
 #include "files/read_sets.h"
+#include "pictures/ellipses.h"
 #include "program.h"
 
 namespace arrives_test {
@@ -88,6 +90,13 @@ TEST_F(OptionsOfSample, ThatNamePicturesAndPointsArriveInTheRequest) {
     Request of_field{
         .domain = {.height = 2.0 / 3, .boundary = Boundary::torus}, .count = 300, .seed = 5};
     of_field.field = &field;
+    const Field along = importance_of(read_picture(picture), {.along = 4});
+    const Field one =
+        pictures::field_of(1, 1, std::vector{Ellipse{0.05, 0.01, 30 * std::numbers::pi / 180}});
+    Request of_along{.domain = {.height = 2.0 / 3}, .scale = 0.03},
+        of_stretch{.domain = {.boundary = Boundary::torus}, .scale = 1};
+    of_along.field = &along;
+    of_stretch.field = &one;
     expect_arrivals({{{"--mask", mask, "--border", "0.02", "--keep", keep, "--radius", "0.05"},
                       {.domain = {.height = 0.5},
                        .radius = 0.05,
@@ -97,6 +106,8 @@ TEST_F(OptionsOfSample, ThatNamePicturesAndPointsArriveInTheRequest) {
                      {{"--field", picture, "--count", "300", "--invert", "--gamma", "1.7",
                        "--torus", "--seed", "5"},
                       of_field},
+                     {{"--field", picture, "--scale", "0.03", "--along", "4"}, of_along},
+                     {{"--stretch", "0.05:0.01@30", "--torus"}, of_stretch},
                      {{"--keep", west, "--domain", "1,0+1x1", "--radius", "0.04"},
                       {.domain = {.x0 = 1}, .radius = 0.04, .keep = beside}}});
 }
@@ -114,6 +125,8 @@ TEST_F(OptionsOfSample, ThatNamePlacesArriveInTheRequest) {
                                       {.rings = in_high, .distance = 0.01},
                                       {.rings = in_pond, .forbidden = true, .distance = 0.01},
                                       {.rings = rock, .forbidden = true, .distance = 0.1}});
+    const Mask* const by_radius = drawn({{.rings = in_low, .distance = 0.015},
+                                         {.rings = rock, .forbidden = true, .distance = 0.115}});
     const Mask* const near = drawn({{.rings = line, .distance = 0.2, .near = true},
                                     {.rings = rock, .distance = 0.1, .near = true},
                                     {.rings = line, .forbidden = true, .distance = 0.05}});
@@ -123,6 +136,9 @@ TEST_F(OptionsOfSample, ThatNamePlacesArriveInTheRequest) {
         {{joined(common, {"--inside", low, "--inside", high, "--outside", pond, "--avoid", rocks,
                           "--border", "0.01"}),
           {.radius = 0.03, .mask = border, .border = 0.01}},
+         // Objects of half of the distance of two.
+         {joined(common, {"--inside", low, "--avoid", rocks, "--inside-by-radius"}),
+          {.radius = 0.03, .mask = by_radius, .border = 0.015}},
          {joined(common, {"--near", road + ":0.2", "--near", rocks, "--avoid", road + ":0.05"}),
           {.radius = 0.03, .mask = near}},
          {joined(common, {"--avoid", edge + ":0.2", "--torus"}),
@@ -171,6 +187,11 @@ TEST_F(OptionsOfSample, ThatNameClassesArriveInTheRequest) {
           })},
          {joined(common, {"--inside-by-radius"}), with([](Request& r) {
               r.classes.borders = {0.05, 0.02};
+          })},
+         // Two of a class keep its radius, so that objects are half as large.
+         {joined(common, {"--between", "union", "--inside-by-radius"}), with([](Request& r) {
+              r.classes.distances = distances_by_union(std::vector{0.05, 0.02});
+              r.classes.borders = {0.025, 0.01};
           })},
          {joined(common, of_each), with([&](Request& r) { r.classes.masks = each(0, 0); })},
          {joined(joined(common, of_each), {"--inside-by-radius"}), with([&](Request& r) {

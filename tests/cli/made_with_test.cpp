@@ -13,6 +13,8 @@ namespace made_with_test {
 
 using namespace lacuna::tests;
 
+const std::string kEllipses = LACUNA_EXAMPLES "/../tests/pinned/ellipses.npy";
+
 struct Capability {
     std::string name;
     Words options;
@@ -37,6 +39,13 @@ std::vector<Capability> capabilities(const Folder& folder) {
     const std::string kept = file("kept.csv", "x,y\n0.3,0.3\n0.7,0.31\n");
     const std::string west = file("west.csv", "x,y\n0.98,0.3\n0.97,0.6\n");
     const std::string west_kinds = file("kinds.csv", "x,y,class\n0.98,0.3,a\n0.97,0.6,b\n");
+    const std::string kept_kinds = file("own.csv", "x,y,class\n.25,.5,b\n.75,.5,a\n");
+    const std::string pond = file("pond.txt", "0.3 0.3\n0.45 0.3\n0.45 0.45\n");
+    const std::string map =
+        file("map.svg",
+             "<svg viewBox='0 0 60 40'><circle cx='10' cy='30' r='5'/>"
+             "<g id='roads' stroke='black' stroke-width='8'><line x1='30' x2='30' "
+             "y2='40'/><line y1='5' x2='60' y2='5' stroke-width='2'/></g></svg>");
     const std::string matrix = file("m.csv", "# a, b\n.06,.08\n.08,.03\n");
     const Words radius{"--radius", ".05"}, unit{"--domain", "1x1"};
     const Words kinds{"--class", "a:.06", "--class", "b:.02"}, east{"--domain", "1,0+1x1"};
@@ -64,6 +73,14 @@ std::vector<Capability> capabilities(const Folder& folder) {
              joined(radius, {"--near", rocks, "--near", wet + ":.05", "--avoid", road + ":.01"}),
              "--avoid",
              {"--near", rocks, "--near", wet + ":.05", "--avoid", road + ":.01"}},
+            {"several polygons",
+             joined(radius, {"--inside", ring, "--inside", wet, "--outside", pond}),
+             "--inside",
+             {"--inside", ring, "--inside", wet, "--outside", pond}},
+            {"strokes of a drawing",
+             {"--avoid", map + "#roads:stroke", "--radius", "2"},
+             "--avoid",
+             {"--avoid", map + "#roads:stroke"}},
             {"keep", joined(radius, {"--keep", kept}), ""},
             {"keep outside",
              joined(radius, joined(east, {"--keep", west})),
@@ -90,6 +107,11 @@ std::vector<Capability> capabilities(const Folder& folder) {
              joined(kinds, joined(east, {"--keep", west_kinds})),
              "--keep",
              {"--keep", west_kinds}},
+            {"classes and kept points", joined(kinds, {"--keep", kept_kinds}), ""},
+            {"ellipses",
+             {"--ellipses", kEllipses, "--scale", ".05"},
+             "--ellipses",
+             {"--ellipses", kEllipses}},
             {"field", {"--field", picture, "--scale", ".03"}, "--field", {"--field", picture}},
             {"field and tone",
              {"--field", picture, "--scale", ".03", "--gamma", "2", "--invert"},
@@ -121,6 +143,11 @@ TEST(AFile, OfEachCapabilityIsProvenOrAsksForWhatItLacksAndRefutedWithoutAPoint)
                 is_reading ? run({"verify", path, one.given[0], one.given[1]}) : alone;
             expect_one_error(lacking, 2, {"a.json: made with " + one.asked});
             expect_success(joined({"verify", path}, one.given));
+            // Without the last option of several.
+            const Words fewer(one.given.begin(), one.given.end() - 2);
+            if (!fewer.empty() && *(one.given.end() - 2) != fewer[0] && !is_reading)
+                expect_one_error(run(joined({"verify", path}, fewer)), 2,
+                                 {"made with " + *(one.given.end() - 2)});
         }
         if (!one.is_for_csv) continue;
         const Words claim = joined({"verify", csv}, one.options);

@@ -1,22 +1,18 @@
-// Classes of points and obstacles, as a user of the command meets them: columns, reports, verdicts
-// and refusals. That options arrive is in arrives_test.cpp, and that sets are proven from their
-// files in made_with_test.cpp.
+// What `lacuna sample` says and writes of domains, places, classes, kept points and tiles: a table
+// of options, words and members of its .json and its report. That options arrive is in
+// arrives_test.cpp, and what verify says in verdicts_test.cpp.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdio>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "cli/pictures.h"
 #include "expectations.h"
 #include "files/read_points.h"
-#include "files/read_whole.h"
 #include "program.h"
 
 namespace placement_test {
@@ -25,373 +21,296 @@ using namespace lacuna;
 using namespace lacuna::tests;
 using Json = nlohmann::json;
 
-const Words kWood{"--class", "trees:0.05", "--class", "bushes:0.02:2", "--class", "grass:0.006"};
+struct Saying {
+    Words options;
+    Words says;  // on standard error
+    std::vector<std::pair<std::string, Json>> members;
+};
 
-Outcome sample_with(const Words& arguments) {
-    return tests::run(joined({"sample", "--quiet"}, arguments));
-}
-
-Outcome verify_with(const Words& arguments) {
-    return tests::run(joined({"verify"}, arguments));
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::istringstream stream(text);
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
-
-TEST(Classes, OfACountAreReportedWithTheDistancesThatTheyKeep) {
-    const Folder folder;
-    const Outcome outcome = tests::run({"sample", "--class", "a:0.4", "--class", "b:0.1",
-                                        "--between", "union", "--count", "300", "-o",
-                                        folder.path("a.csv"), "--report", folder.path("r.json")});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const Json report = Json::parse(files::read_whole(folder.path("r.json")));
-    const double kept = report.at("request").at("distances")[1][1];
-    char told[64];
-    std::snprintf(told, sizeof told, ", distances %.4g times those given", kept / 0.1);
-    EXPECT_NE(outcome.err.find(told), std::string::npos) << outcome.err << told;
-}
-
-TEST(Classes, HaveTheirNumbersOfPointsInFilesAndProofs) {
-    const Folder folder;
-    const std::string csv = folder.path("a.csv"), json = folder.path("a.json");
-    const Words asked{"--class",         "trees:0.05:1:12", "--class",
-                      "bushes:0.03::20", "--class",         "grass:0.01:2"};
-    ASSERT_EQ(sample_with(joined(asked, {"-o", csv, "-o", json})).exit_code, 0);
-    const Json set = Json::parse(files::read_whole(json));
-    EXPECT_EQ(set["classes"][0]["count"], 12);
-    EXPECT_EQ(set["classes"][1]["count"], 20);
-    EXPECT_EQ(set["options"]["counts"], (Json{12, 20, nullptr}));
-    const std::string verdict = "a maximal Poisson-disk set of 3 classes with their numbers";
-    for (const Words& options : {Words{json}, joined({csv}, asked)}) {
-        const Outcome proven = verify_with(options);
-        EXPECT_EQ(proven.exit_code, 0) << proven.out;
-        EXPECT_NE(proven.out.find(verdict), std::string::npos) << proven.out;
+class Placement : public testing::Test {
+protected:
+    std::string file(const char* name, const std::string& content) const {
+        write_file(folder_.path(name), content);
+        return folder_.path(name);
     }
-    Words other = asked;
-    other[1] = "trees:0.05:1:13";
-    const Outcome refuted = verify_with(joined({csv, "--json"}, other));
-    EXPECT_EQ(refuted.exit_code, 1);
-    const Json found = Json::parse(refuted.out)["sets"][0];
-    EXPECT_EQ(found["verdict"], "refused: class trees has 12 points in place of 13");
-    EXPECT_EQ(found["miscounted"], "trees");
-    // What a .json says of classes is read as strictly as options are.
-    const std::string whole = files::read_whole(json);
-    const auto with_numbers = [&](const std::string& numbers) {
-        const std::string counts = "\"counts\":";
-        const std::size_t begin = whole.find(counts) + counts.size(), end = whole.find(']', begin);
-        write_file(json, whole.substr(0, begin) + numbers + whole.substr(end + 1));
-        return verify_with({json}).err;
+    void expect(const std::vector<Saying>& rows) const {
+        const std::string set = folder_.path("a.json"), report = folder_.path("r.json");
+        for (const auto& [options, says, members] : rows) {
+            SCOPED_TRACE(testing::PrintToString(options));
+            const Outcome outcome =
+                run(joined(joined({"sample"}, options), {"-o", set, "--report", report}));
+            ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+            expect_has(outcome.err, says);
+            const Json written = Json::parse(content_of(set)),
+                       told = Json::parse(content_of(report));
+            for (const auto& [member, value] : members) {
+                const Json::json_pointer at(member);
+                EXPECT_EQ((written.contains(at) ? written : told).value(at, Json()), value)
+                    << member;
+            }
+        }
+    }
+
+    const Folder folder_;
+    const std::string black_ = file("black.pgm", pgm(1, 1, bytes({0})));
+    const std::string lake_ =
+        file("lake.geojson", R"({"type":"Polygon","coordinates":)"
+                             R"([[[12,3],[88,14],[95,60],[60,92],[20,70],[3,40],[12,3]]]})");
+    const Words in_lake_{"--radius", "3", "--domain", "40,40+9x9"};
+};
+
+TEST_F(Placement, OfADomainIsAroundWhatIsGiven) {
+    const std::string map = file("map.txt", "0 0\n100 0\n100 80\n0 80\n");
+    const std::string far = file("far.txt",
+                                 "448251 5411932\n448900 5411950\n448800 5412400\n\n"
+                                 "449000 5411200\n449400 5411200\n449400 5411500\n");
+    const std::string plot =
+        file("plot.txt", "448000.25 5411000.5\n448002.25 5411000.5\n448002.25 5411002.5\n");
+    const std::string line = file("line.txt", "2 50\n90 50\n"),
+                      kept = file("kept.csv", "x,y\n30,55\n");
+    const std::string pond = file("pond.txt", "0.3 0.3\n0.45 0.3\n0.45 0.45\n");
+    const std::string half =
+        file("half.svg", "<svg viewBox='0 0 20 10'><rect y='5' width='10' height='5'/></svg>");
+    const std::string mask = file("mask.pgm", pgm(2, 1, bytes({255, 0})));
+    const auto of = [](double width, double height) {
+        return std::vector<std::pair<std::string, Json>>{{"/width", width}, {"/height", height}};
     };
-    EXPECT_EQ(with_numbers("[12.5,20,null]"),
-              "lacuna: " + json + ": \"counts\" has 12.5: must be a number of points\n");
-    EXPECT_EQ(with_numbers("[12,20]"),
-              "lacuna: " + json + ": \"counts\" has 2 values: must be 3, one for each class\n");
-    EXPECT_EQ(sample_with({"--class", "a:0.1:1:2:3", "-o", csv}).err,
-              "lacuna: --class a:0.1:1:2:3: must be NAME:RADIUS, NAME:RADIUS:WEIGHT or "
-              "NAME:RADIUS:WEIGHT:N\n");
-    EXPECT_EQ(sample_with({"--class", "a:0.1:1:900", "--class", "b:0.1", "-o", csv}).exit_code, 2);
+    const auto at = [&](double x0, double y0, double width, double height) {
+        auto all = of(width, height);
+        all.insert(all.end(), {{"/x0", x0}, {"/y0", y0}});
+        return all;
+    };
+    expect(
+        {{{"--radius", "4", "--inside", map}, {}, of(100, 80)},
+         {{"--radius", ".2", "--inside", map, "--domain", "1x1"}, {}, of(1, 1)},
+         {{"--radius", "4", "--inside", lake_}, {}, of(95, 92)},
+         {{"--radius", "4", "--outside", lake_}, {}, of(95, 92)},
+         {{"--radius", "4", "--avoid", lake_ + ":6"}, {}, of(95, 92)},
+         {{"--radius", "1", "--near", line + ":5", "--keep", kept}, {}, at(-3, 45, 98, 10)},
+         {{"--radius", "20", "--inside", far}, {}, at(448251, 5411200, 1149, 1200)},
+         {{"--radius", ".1", "--inside", plot}, {}, at(448000.25, 5411000.5, 8, 8)},
+         {{"--radius", "90", "--domain", "448000,5411000+2000x1500"},
+          {},
+          {{"/x0", 448000},
+           {"/options/y0", 5411000},
+           {"/command", "lacuna sample --radius 90 --domain 448000,5411000+2000x1500"}}},
+         {{"--radius", "90", "--domain", "2000x1500"}, {}, {{"/x0", nullptr}}},
+         {{"--radius", "4", "--inside", map, "--inside", lake_, "--outside", pond, "--edge",
+           "0.25"},
+          {},
+          {{"/options/inside", {map, lake_}}, {"/options/outside", pond}, {"/request/edge", 0.25}}},
+         {{"--radius", "0.05", "--mask", mask, "--border", "0.01"},
+          {},
+          {{"/command", "lacuna sample --radius 0.05 --mask " + mask + " --border 0.01"},
+           {"/options/mask", mask},
+           {"/options/border", 0.01}}}});
+    expect({{{"--count", "100", "--inside", half},
+             {},
+             {{"/request/inside", half}, {"/width", 20}, {"/height", 10}}}});
+    const double edge = Json::parse(content_of(folder_.path("r.json")))["request"]["edge"];
+    EXPECT_NEAR(edge, std::sqrt(0.69656 * 10 * 5 / 100) / 16, 0.002);  // of the part that is open
 }
 
-TEST(Classes, HaveOneMaskEach) {
-    const Folder folder;
-    const std::string left = folder.path("left.pgm"), top = folder.path("top.pgm");
-    write_file(left, std::string("P5 2 1 255\n") + '\xff' + '\0');
-    write_file(top, std::string("P5 1 2 255\n") + '\xff' + '\0');
-    const std::string json = folder.path("a.json");
-    ASSERT_EQ(sample_with({"--class", "trees:0.05", "--class", "grass:0.01", "--domain", "1x1",
-                           "--mask", "trees:" + left, "--mask", top, "-o", json})
-                  .exit_code,
-              0);
-    EXPECT_EQ(verify_with({json, "--mask", top}).exit_code, 1);
-    EXPECT_EQ(verify_with({json, "--mask", "trees:" + left, "--mask", "trees:" + top}).err,
-              "lacuna: --mask trees:" + top + ": a second mask of class trees\n");
+TEST_F(Placement, OfAPictureIsTheSameOnAnyDomain) {
+    const auto dots_on = [](const std::string& domain) {
+        const std::string svg =
+            run({"sample", "--radius", "90", "--domain", domain, "--format", "svg"}).out;
+        return svg.substr(svg.find("</metadata>"));
+    };
+    EXPECT_EQ(dots_on("448000,5411000+2000x1500"), dots_on("2000x1500"));
 }
 
-TEST(Classes, AreNamedInFilesAndProvenFromThem) {
-    const Folder folder;
-    const std::string csv = folder.path("a.csv"), json = folder.path("a.json");
-    const std::string svg = folder.path("a.svg"), ply = folder.path("a.ply");
-    ASSERT_EQ(sample_with(joined(kWood, {"--between", "union", "--torus", "-o", csv, "-o", json,
-                                         "-o", svg, "-o", ply}))
-                  .exit_code,
-              0);
-    std::vector<std::string> lines = lines_of(files::read_whole(csv));
-    ASSERT_EQ(lines.front(), "x,y,class");
-    std::map<std::string, std::size_t> counts;
-    for (std::size_t i = 1; i < lines.size(); ++i)
-        ++counts[lines[i].substr(lines[i].rfind(',') + 1)];
-    ASSERT_EQ(counts.size(), 3U);
-    EXPECT_LT(counts["trees"], counts["bushes"]);
-    EXPECT_LT(counts["bushes"], counts["grass"]);
+TEST_F(Placement, OfClassesAndNeighboursIsCounted) {
+    const std::string west = file("west.csv", "x,y\n0.999,0.5\n0.94,0.2\n-3,0.5\n");
+    const std::string far = file("far.csv", "x,y\n0.94,0.2\n");
+    const std::string kinds = file("kinds.csv", "x,y,class\n0.999,0.5,a\n0.9,0.2,b\n0.8,0.2,b\n");
+    const auto east = [](const Words& more) { return joined({"--domain", "1,0+1x1"}, more); };
+    const Words two{"--class", "a:2", "--class", "b:1", "--count", "200"};
+    expect({{{"--class", "a:0.05:1:3", "--class", "b:0.03:1:12"},
+             {"15 points (a 3, b 12), "},
+             {{"/classes/0/count", 3}, {"/classes/1/count", 12}, {"/options/counts", {3, 12}}}},
+            {east({"--keep", west, "--radius", "0.05"}),
+             {", beside 1 kept outside, "},
+             {{"/options/keep", west}, {"/options/kept", 0}, {"/options/neighbours", 1}}},
+            // The distances, and so the neighbours, are known only when the set is made.
+            {east({"--keep", west, "--count", "60"}),
+             {", beside 2 kept outside, "},
+             {{"/options/neighbours", 2}}},
+            {east({"--keep", far, "--radius", "0.05"}), {}, {{"/options/neighbours", nullptr}}},
+            {{"--class", "a:0.4", "--class", "b:0.1", "--between", "union", "--count", "300"},
+             {", distances 0."},
+             {}}});
+    const double kept =
+        Json::parse(content_of(folder_.path("r.json"))).at("request").at("distances")[1][1];
+    EXPECT_LT(kept, 0.1);
+    expect_has(
+        run(joined({"sample", "--keep", kinds, "--seeds", "0..1", "-o", folder_.path("{seed}.csv")},
+                   east(two)))
+            .err,
+        {", beside up to 3 kept outside, "});
+}
 
-    const Json set = Json::parse(files::read_whole(json));
+TEST_F(Placement, ThatHasNoPlaceIsSaid) {
+    const std::string drawn = "has no open place wider than twice the --edge), ";
+    const std::string none = "0 points (the domain, [40, 49) x [40, 49), " + drawn;
+    expect({{joined(in_lake_, {"--outside", lake_}), {none}, {}},
+            {joined(in_lake_, {"--outside", lake_, "--progressive"}), {none}, {}},
+            {{"--radius", "3", "--domain", "0,192+64x64", "--inside", lake_},
+             {"0 points (", drawn},
+             {}},
+            {{"--radius", "3", "--domain", "0,192+64x64", "--near", lake_ + ":2"},
+             {"0 points (", drawn},
+             {}},
+            {joined(in_lake_, {"--mask", black_}), {"0 points (the mask is black all over), "}, {}},
+            {{"--class", "reed:3", "--class", "tree:4", "--count", "5", "--domain", "40,40+9x9",
+              "--outside", "tree:" + lake_},
+             {"has no open place for tree wider than"},
+             {{"/classes/1/count", 0}}}});
+    for (const char* const end : {"txt", "csv", "npy", "ply", "json"}) {
+        const std::string path = folder_.path(std::string("a.") + end);
+        const Words asked = joined(in_lake_, {"--mask", black_});
+        expect_success(joined(joined({"sample", "--quiet", "-o", path}, asked),
+                              {"-o", folder_.path("a.svg")}));
+        EXPECT_TRUE(files::read_points(path).empty()) << end;
+        expect_success(joined({"verify", path}, asked));
+        // The next chunk keeps what there is: nothing.
+        expect_success({"sample", "--radius", "3", "--domain", "74,10+64x64", "--keep", path, "-o",
+                        folder_.path("b.csv")});
+    }
+    expect_has(run(joined(joined({"sample"}, in_lake_), {"--mask", black_, "-o", "-"})).err,
+               {"0 points ("});
+}
+
+TEST_F(Placement, OfClassesIsInFiles) {
+    const auto path = [&](const char* end) { return folder_.path(std::string("a.") + end); };
+    expect_success({"sample", "--quiet", "--class", "trees:0.05", "--class", "bushes:0.02:2",
+                    "--torus", "-o", path("csv"), "-o", path("json"), "-o", path("svg"), "-o",
+                    path("ply")});
+    expect_has(content_of(path("csv")), {"x,y,class\n", ",trees\n", ",bushes\n"});
+    expect_has(content_of(path("svg")), {"inkscape:label=\"2 bushes\""});
+    expect_has(content_of(path("ply")), {"property uchar class\n"});
+    const Json set = Json::parse(content_of(path("json")));
     EXPECT_EQ(set["classes"][1]["name"], "bushes");
-    EXPECT_EQ(set["classes"][1]["count"], counts["bushes"]);
-    EXPECT_EQ(set["class"].size(), lines.size() - 1);
-    EXPECT_EQ(set["command"],
-              "lacuna sample --class trees:0.05 --class bushes:0.02:2 --class grass:0.006 "
-              "--between union --torus");
-    EXPECT_NE(files::read_whole(svg).find("inkscape:label=\"2 bushes\""), std::string::npos);
-    EXPECT_NE(files::read_whole(ply).find("property uchar class\n"), std::string::npos);
-
-    // A .json says what was asked for, a .csv needs the options.
-    EXPECT_EQ(verify_with({json}).exit_code, 0);
-    const Words options = joined({csv, "--between", "union", "--torus"}, kWood);
-    const Outcome proven = verify_with(options);
-    EXPECT_EQ(proven.exit_code, 0) << proven.out;
-    EXPECT_NE(proven.out.find("a maximal Poisson-disk set of 3 classes"), std::string::npos);
-
-    // A point less, or one of another class, is refuted, and named.
-    const std::string first = lines[1];
-    lines.erase(lines.begin() + 1);
-    std::string less;
-    for (const std::string& line : lines) less += line + "\n";
-    write_file(csv, less);
-    const Outcome lacking = verify_with(options);
-    EXPECT_EQ(lacking.exit_code, 1);
-    EXPECT_NE(lacking.out.find("there is room for a point of class " +
-                               first.substr(first.rfind(',') + 1) + " at "),
-              std::string::npos)
-        << lacking.out;
-    write_file(csv, less + first.substr(0, first.rfind(',')) + ",trees\n");
-    const Outcome changed = verify_with(options);
-    EXPECT_EQ(changed.exit_code, 1);
-    EXPECT_NE(changed.out.find("of class trees, are closer than"), std::string::npos)
-        << changed.out;
+    EXPECT_EQ(set["class"].size(), set["points"].size());
+    EXPECT_EQ(set["command"], "lacuna sample --class trees:0.05 --class bushes:0.02:2 --torus");
+    expect_success({"sample", "--quiet", "--stretch", "0.3:0.03@0", "-o", path("svg")});
+    // A third of the radii: of 512 points.
+    expect_has(content_of(path("svg")), {"a51.2 5.12 0 1 0 102.4000 0.0000"});
 }
 
-TEST(Classes, HaveTheirKeptPointsFirst) {
-    const Folder folder;
-    const std::string csv = folder.path("a.csv"), kept = folder.path("kept.csv");
-    write_file(kept, "x,y,class\n0.25,0.5,grass\n0.75,0.5,trees\n");
-    const Words keep{"--keep", kept};
-    ASSERT_EQ(sample_with(joined(joined(kWood, keep), {"-o", csv})).exit_code, 0);
-    EXPECT_TRUE(files::read_whole(csv).starts_with("x,y,class\n0.25,0.5,grass\n0.75,0.5,trees\n"));
-    EXPECT_EQ(verify_with(joined(joined({csv}, kWood), keep)).exit_code, 0);
-}
-
-TEST(Classes, AreInEveryFileOfSeeds) {
-    const Folder folder;
-    ASSERT_EQ(
-        sample_with(joined(kWood, {"--seeds", "3..4", "-o", folder.path("{seed}.csv")})).exit_code,
-        0);
-    ASSERT_EQ(sample_with(joined(kWood, {"--seed", "4", "-o", folder.path("own.csv")})).exit_code,
-              0);
-    EXPECT_EQ(files::read_whole(folder.path("4.csv")), files::read_whole(folder.path("own.csv")));
-    EXPECT_NE(files::read_whole(folder.path("3.csv")), files::read_whole(folder.path("own.csv")));
-}
-
-TEST(Classes, AreRefusedInOneLine) {
-    const Folder folder;
-    const auto refusal = [](const Words& arguments) {
-        const Outcome outcome = sample_with(joined(arguments, {"--format", "csv"}));
-        EXPECT_NE(outcome.exit_code, 0);
-        return outcome.err;
+TEST_F(Placement, OfNumbersOfClassesIsReadStrictly) {
+    const std::string json = folder_.path("a.json");
+    expect_success({"sample", "--quiet", "--class", "a:0.2:1:2", "--class", "b:0.1", "-o", json});
+    Json set = Json::parse(content_of(json));
+    const auto with_numbers = [&](const Json& numbers) {
+        set["options"]["counts"] = numbers;
+        write_file(json, set.dump());
+        return run({"verify", json}).err;
     };
-    EXPECT_EQ(refusal({"--class", "trees"}),
-              "lacuna: --class trees: needs a radius: give NAME:RADIUS\n");
-    EXPECT_EQ(refusal({"--class", "a:1:1:1"}),
-              "lacuna: --class a with 1 points: is the only class: give a limit instead\n");
-    EXPECT_EQ(refusal({"--class", "a:0"}),
-              "lacuna: --class a:0: its radius must be a finite number over 0\n");
-    EXPECT_EQ(refusal({"--class", "a:1:x"}),
-              "lacuna: --class a:1:x: its weight must be a number, such as 0.01 or 1e-2\n");
-    write_file(folder.path("m.csv"), "");
-    EXPECT_EQ(refusal({"--class", "a", "--class", "b", "--between", folder.path("m.csv"),
-                       "--inside-by-radius"}),
-              "lacuna: --between 0 distances: must be a matrix of 2 x 2, for as many classes\n");
-    write_file(folder.path("m.csv"), "1,2\n2\n");
-    EXPECT_EQ(refusal({"--class", "a", "--class", "b", "--between", folder.path("m.csv")}),
-              "lacuna: " + folder.path("m.csv") + ":2: 1 column: the first line has 2\n");
-    write_file(folder.path("m.csv"), "a;2,5;1\nb;1;3\n");
-    EXPECT_EQ(refusal({"--class", "a", "--class", "b", "--between", folder.path("m.csv")}),
-              "lacuna: " + folder.path("m.csv") +
-                  ":1: column 2 is \"2,5\": must be a finite number, such as 0.25\n");
-    write_file(folder.path("m.csv"), "a,x\n2,1\n1,3\n");
-    EXPECT_EQ(refusal({"--class", "a", "--class", "b", "--between", folder.path("m.csv")}),
-              "lacuna: " + folder.path("m.csv") +
-                  ":3: \"x\" must be a number, such as 0.25, or a class (a or b)\n");
-    write_file(folder.path("m.csv"), "a,a\n2,1\n1,3\n");
-    EXPECT_EQ(refusal({"--class", "a", "--class", "b", "--between", folder.path("m.csv")}),
-              "lacuna: " + folder.path("m.csv") + ": must name each class once, or none\n");
-    EXPECT_EQ(refusal({"--class", "a:1", "--between", folder.path("m.csv")}),
-              "lacuna: --class a:1: must have no radius with distances from a file: give NAME or "
-              "NAME::WEIGHT\n");
-    write_file(folder.path("kept.csv"), "x,y\n0.5,0.5\n");
-    EXPECT_EQ(refusal(joined(kWood, {"--keep", folder.path("kept.csv")})),
-              "lacuna: " + folder.path("kept.csv") +
-                  ": its points have no class: with --class a .csv needs a column class with "
-                  "names, as lacuna writes it\n");
-    write_file(folder.path("kept.csv"), "x,y,class\n0.5,0.5,rocks\n");
-    EXPECT_EQ(refusal(joined(kWood, {"--keep", folder.path("kept.csv")})),
-              "lacuna: " + folder.path("kept.csv") +
-                  ": has points of the class rocks, which no --class names\n");
+    EXPECT_EQ(with_numbers({2.5, nullptr}),
+              "lacuna: " + json + ": \"counts\" has 2.5: must be a number of points\n");
+    EXPECT_EQ(with_numbers({2}),
+              "lacuna: " + json + ": \"counts\" has 1 values: must be 2, one for each class\n");
 }
 
-TEST(Classes, MayBeNamedInTheFileOfTheirDistances) {
-    const Folder folder;
-    const std::string file = folder.path("m.csv"), csv = folder.path("a.csv");
-    const auto made_with = [&](const std::string& matrix, const Words& classes) {
-        write_file(file, matrix);
-        const Outcome outcome = sample_with(joined(classes, {"--between", file, "-o", csv}));
-        EXPECT_EQ(outcome.exit_code, 0) << matrix << outcome.err;
-        return content_of(csv);
+TEST_F(Placement, OfDistancesMayNameItsClassesInAnyFormat) {
+    const std::string matrix = folder_.path("m.csv"), csv = folder_.path("a.csv");
+    const auto made = [&](const std::string& content, const std::string& first,
+                          const std::string& second) {
+        write_file(matrix, content);
+        return run({"sample", "--class", first, "--class", second, "--between", matrix, "--quiet",
+                    "--format", "csv"});
     };
-    const Words trees_first{"--class", "trees", "--class", "rocks"};
-    const Words rocks_first{"--class", "rocks", "--class", "trees"};
-    const std::string expected = made_with("0.2,0.1\n0.1,0.3\n", trees_first);
+    const std::string expected = made("0.2,0.1\n0.1,0.3\n", "trees", "rocks").out;
     for (const char* const same :
          {"0.2;0.1\n0.1;0.3\n", "0.2\t0.1\n0.1\t0.3\n", "0.2  0.1\n0.1 0.3\n",
           ",trees,rocks\ntrees,0.2,0.1\nrocks,0.1,0.3\n",
           "class;rocks;trees\ntrees;0.1;0.2\nrocks;0.3;0.1\n",
           "\"rocks\",\"trees\"\n0.3,0.1\n0.1,0.2\n", "rocks,0.3,0.1\ntrees,0.1,0.2\n"})
-        EXPECT_EQ(made_with(same, trees_first), expected) << same;
-    const std::string turned = made_with("0.3,0.1\n0.1,0.2\n", rocks_first);
-    EXPECT_EQ(made_with("trees,rocks\n0.2,0.1\n0.1,0.3\n", rocks_first), turned);
+        EXPECT_EQ(made(same, "trees", "rocks").out, expected) << same;
+    EXPECT_EQ(made("trees,rocks\n0.2,0.1\n0.1,0.3\n", "rocks", "trees").out,
+              made("0.3,0.1\n0.1,0.2\n", "rocks", "trees").out);
+    const std::string begin = "lacuna: " + matrix;
+    EXPECT_EQ(made("a;2,5;1\nb;1;3\n", "a", "b").err,
+              begin + ":1: column 2 is \"2,5\": must be a finite number, such as 0.25\n");
+    EXPECT_EQ(made("a,x\n2,1\n1,3\n", "a", "b").err,
+              begin + ":3: \"x\" must be a number, such as 0.25, or a class (a or b)\n");
+    EXPECT_EQ(made("a,a\n2,1\n1,3\n", "a", "b").err,
+              begin + ": must name each class once, or none\n");
 }
 
-TEST(Classes, AreCountedInTheSummaryAndTheReport) {
-    const Folder folder;
-    const std::string report = folder.path("r.json");
-    const Outcome outcome = tests::run({"sample", "--class", "a:0.05:1:3", "--class", "b:0.03:1:12",
-                                        "-o", folder.path("a.csv"), "--report", report});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_TRUE(outcome.err.starts_with("15 points (a 3, b 12), ")) << outcome.err;
-    EXPECT_EQ(Json::parse(content_of(report))["classes"],
-              Json::parse(R"([{"name": "a", "count": 3}, {"name": "b", "count": 12}])"));
-}
-
-TEST(Obstacles, AreNamedAsPolygonsWhereAPointIsInOne) {
-    const Folder folder;
-    const std::string rocks = folder.path("rocks.csv"), csv = folder.path("a.csv");
-    write_file(rocks, "x,y,radius\n0.3,0.3,0.1\n");
-    write_file(csv, "x,y\n0.31,0.3\n");
-    const Outcome refuted =
-        verify_with({csv, "--avoid", rocks, "--domain", "1x1", "--radius", "1"});
-    EXPECT_EQ(refuted.exit_code, 1);
-    EXPECT_NE(refuted.out.find("where the polygons let none lie"), std::string::npos)
-        << refuted.out;
-}
-
-TEST(Near, NeedsDistancesAndReachesAsFarAsTheDomain) {
-    const Folder folder;
-    const std::string path = folder.path("path.svg"), lots = folder.path("lots.csv");
-    write_file(path, "<svg viewBox='0 0 2 1'><polyline points='0,0.5 2,0.5'/></svg>");
-    const std::string csv = folder.path("a.csv"), json = folder.path("a.json");
-    const auto refusal = [&](const std::string& near) {
-        return sample_with({"--near", near, "--radius", "0.02", "-o", csv}).err;
+TEST_F(Placement, OfStrokesAndObstaclesIsReadFromTheirFiles) {
+    const std::string map = file("map.svg",
+                                 "<svg viewBox='0 0 60 40'><g stroke='black' "
+                                 "stroke-width='8'><line x1='30' x2='30' y2='40'/></g></svg>");
+    const std::string circle =
+        file("circle.svg", "<svg viewBox='0 0 60 40'><circle cx='10' cy='30' r='5'/></svg>");
+    const std::string still = file("still.csv", "x,y,radius\n0.5,0.9,0\n");
+    const std::string out = folder_.path("a.csv");
+    const auto made = [&](const Words& options) {
+        return run(joined({"sample", "--radius", "1", "--quiet", "-o", out}, options)).err;
     };
-    EXPECT_EQ(refusal(path), "lacuna: --near " + path +
-                                 ": needs a distance, as in FILE:2.5: how far points may be from "
-                                 "its lines\n");
-    EXPECT_EQ(
-        refusal("a.foo:2"),
-        "lacuna: --near a.foo: must end in .svg, .svgz, .geojson, .geojsonl, .json or .txt\n");
-    EXPECT_EQ(refusal(path + ":0"),
-              "lacuna: --near " + path + ":0: the distance must be a finite number over 0\n");
-    write_file(lots, "x,y,radius\n0.5,0.9,0\n");
-    EXPECT_EQ(refusal(lots), "lacuna: --near " + lots +
-                                 ": must have a point with a distance over 0, or points may lie "
-                                 "nowhere\n");
-    // A kept point as far as that is near enough, and the domain reaches as far.
-    const std::string line = folder.path("line.txt"), kept = folder.path("kept.csv");
-    write_file(line, "2 50\n90 50\n");
-    write_file(kept, "x,y\n30,55\n");
-    const Outcome strip =
-        sample_with({"--near", line + ":5", "--keep", kept, "--radius", "1", "-o", json});
-    EXPECT_EQ(strip.exit_code, 0) << strip.err;
-    EXPECT_EQ(verify_with({json, "--near", line + ":5", "--keep", kept}).exit_code, 0);
-    const Json domain = Json::parse(files::read_whole(json));
-    EXPECT_EQ(domain["width"], 98);
-    EXPECT_EQ(domain["height"], 10);
-    EXPECT_EQ(domain["x0"], -3);
-    EXPECT_EQ(domain["y0"], 45);
-}
-
-// As people's files are: semicolons, names in capitals and quotes, and a row's own name.
-TEST(Obstacles, AreReadAsPointsAre) {
-    const Folder folder;
-    const auto made_with = [&](const std::string& content) {
-        write_file(folder.path("rocks.csv"), content);
-        const Outcome outcome = sample_with(
-            {"--avoid", folder.path("rocks.csv"), "--radius", "0.03", "--format", "csv"});
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        return outcome.out;
-    };
-    EXPECT_EQ(made_with("\"X\";\"Y\";\"Radius\"\n\"a\";0.5;0.25;0.2\n\"b\";0.5;0.75;0\n"),
-              made_with("x,y,radius\n0.5,0.25,0.2\n0.5,0.75,0\n"));
-}
-
-TEST(Obstacles, AreRefusedInOneLine) {
-    const Folder folder;
-    const auto refusal = [](const Words& arguments) {
-        const Outcome outcome = sample_with(joined(arguments, {"--radius", "0.1"}));
-        EXPECT_NE(outcome.exit_code, 0);
-        return outcome.err;
-    };
-    const std::string rocks = folder.path("rocks.csv");
-    write_file(rocks, "x,y\n0.5,0.5\n");
-    EXPECT_EQ(refusal({"--avoid", rocks}),
-              "lacuna: --avoid " + rocks +
-                  ": has no column radius: give FILE:WIDTH, the distance from its points\n");
-    EXPECT_EQ(refusal({"--avoid", rocks + ":-1"}),
-              "lacuna: --avoid " + rocks + ":-1: the width must be a finite number over 0\n");
-    write_file(folder.path("a.txt"), "0 0\n1 1\n");
-    EXPECT_EQ(refusal({"--avoid", folder.path("a.txt")}),
-              "lacuna: --avoid " + folder.path("a.txt") +
-                  ": needs a width, as in FILE:2.5: how far points stay from its lines\n");
-    write_file(rocks, "x,y,radius\n0.5,0.5,big\n");
-    EXPECT_EQ(refusal({"--avoid", rocks}),
-              "lacuna: " + rocks +
-                  ":2: column \"radius\" is \"big\": must be a finite number, such as 0.25\n");
-    write_file(rocks, "x,y,radius\n0.5,0.5\n");
-    EXPECT_EQ(refusal({"--avoid", rocks}),
-              "lacuna: " + rocks + ":2: 2 columns: the header has 3\n");
-    write_file(rocks, "x,size\n0.5,0.5\n");
-    EXPECT_EQ(refusal({"--avoid", rocks + ":.1"}),
-              "lacuna: " + rocks +
-                  ":1: the columns are \"x,size\": two must be called x and y, lon and lat, or "
-                  "easting and northing\n");
-}
-
-// Roads as wide as the drawing shows them, in units of the page or of a domain of its shape.
-TEST(Strokes, OfADrawingAreAvoidedOrFilledInTheirWidth) {
-    const Folder folder;
-    const std::string map = folder.path("map.svg"), csv = folder.path("a.csv");
-    write_file(map,
-               "<svg viewBox='0 0 60 40'><circle cx='10' cy='30' r='5'/>"
-               "<g id='roads' stroke='black' stroke-width='8'><line x1='30' x2='30' y2='40'/>"
-               "<line y1='5' x2='60' y2='5' stroke-width='2'/></g></svg>");
-    for (const double factor : {1.0, 2.0})
-        for (const std::string option : {"--avoid", "--near"}) {
-            const Words asked{option,     map + "#roads:stroke",           "--radius", "1",
-                              "--domain", factor == 1 ? "60x40" : "120x80"};
-            ASSERT_EQ(sample_with(joined(asked, {"-o", csv})).exit_code, 0);
-            EXPECT_EQ(verify_with(joined({csv}, asked)).exit_code, 0);
-            for (const Point& point : files::read_points(csv)) {
-                const bool is_on_road =
-                    std::abs(point.x / factor - 30) < 4 || std::abs(point.y / factor - 35) < 1;
-                EXPECT_EQ(is_on_road, option == "--near") << point.x << " " << point.y;
-            }
-        }
-    const auto refusal = [&](const Words& options) {
-        return sample_with(joined(options, {"--radius", "1", "-o", csv})).err;
-    };
-    EXPECT_EQ(refusal({"--avoid", map + ":stroke", "--domain", "60x50"}),
+    // In units of a domain of the page's shape.
+    for (const char* const option : {"--avoid", "--near"}) {
+        EXPECT_EQ(made({option, map + ":stroke", "--domain", "120x80"}), "");
+        for (const Point& point : files::read_points(out))
+            EXPECT_EQ(std::abs(point.x - 60) < 8, std::string(option) == "--near") << point.x;
+    }
+    EXPECT_EQ(made({"--avoid", map + ":stroke", "--domain", "60x50"}),
               "lacuna: --avoid " + map +
-                  ":stroke: the domain must have the shape of the page, or strokes are not "
-                  "equally wide everywhere\n");
-    EXPECT_EQ(refusal({"--near", "a.txt:stroke"}),
-              "lacuna: --near a.txt:stroke: must be an .svg, which says how wide its strokes "
-              "are\n");
-    write_file(map, "<svg viewBox='0 0 60 40'><circle cx='10' cy='30' r='5'/></svg>");
+                  ":stroke: the domain must have the shape of the page, or strokes are not equally "
+                  "wide everywhere\n");
     EXPECT_EQ(
-        refusal({"--avoid", map + ":stroke"}),
-        "lacuna: " + map + ": no line with a stroke: there must be one, or give FILE:WIDTH\n");
+        made({"--near", "a.txt:stroke"}),
+        "lacuna: --near a.txt:stroke: must be an .svg, which says how wide its strokes are\n");
+    EXPECT_EQ(
+        made({"--avoid", circle + ":stroke"}),
+        "lacuna: " + circle + ": no line with a stroke: there must be one, or give FILE:WIDTH\n");
+    EXPECT_EQ(made({"--near", still}),
+              "lacuna: --near " + still +
+                  ": must have a point with a distance over 0, or points may lie nowhere\n");
+    expect_has(run({"sample", "--class", "a:1", "--inside", "a:" + lake_, "-o", out, "--report",
+                    lake_ + ".json"})
+                   .err,
+               {" points"});
+    EXPECT_NE(
+        run({"sample", "--class", "a:1", "--inside", "a:" + lake_, "-o", out, "--report", lake_})
+            .exit_code,
+        0);
+    EXPECT_EQ(content_of(lake_).front(), '{');
+    expect_has(run({"sample", "--class", "a:1", "--inside", "rocks:a.txt", "-o", out}).err,
+               {"rocks:a.txt: "});
+    // As people's files are: semicolons, names in capitals and quotes, and a row's own name.
+    const std::string rocks = folder_.path("rocks.csv");
+    const auto avoiding = [&](const std::string& content) {
+        write_file(rocks, content);
+        EXPECT_EQ(made({"--avoid", rocks, "--domain", "9x9"}), "");
+        return content_of(out);
+    };
+    EXPECT_EQ(avoiding("\"X\";\"Y\";\"Radius\"\n\"a\";5;2;2\n\"b\";5;7;0\n"),
+              avoiding("x,y,radius\n5,2,2\n5,7,0\n"));
+}
+
+TEST_F(Placement, OfTilesBeginsWithTheirFrame) {
+    const Outcome made =
+        run({"sample", "--radius", "0.05", "--torus", "--frame", "0.1", "--seeds", "4..7", "-o",
+             folder_.path("{seed}.json"), "--report", folder_.path("all.json")});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    const Json four = Json::parse(content_of(folder_.path("4.json"))),
+               seven = Json::parse(content_of(folder_.path("7.json")));
+    const std::size_t kept = four["options"]["kept"];
+    EXPECT_EQ(four["options"]["frame"], 0.1);
+    expect_has(made.err, {", " + std::to_string(kept) + " of them kept, "});
+    EXPECT_EQ(Json::parse(content_of(folder_.path("all.json")))["request"]["kept"], kept);
+    Request tile{.domain = {1, 1, Boundary::torus}, .radius = 0.05, .seed = 4};
+    const TileFrame frame = frame_of(tile, 0.1);
+    tile.seed = 7;
+    tile.keep = frame.points;
+    EXPECT_EQ(kept, frame.points.size());
+    const std::vector<Point> points = files::read_points(folder_.path("7.json"));
+    EXPECT_EQ(points, sample(tile).points);
+    EXPECT_NE(four["points"], seven["points"]);
+    expect_success({"verify", folder_.path("7.json")});
 }
 
 }  // namespace placement_test
