@@ -190,15 +190,4 @@ TEST(CellsSets, TheLatticeHasCeilMOverTheLeastRadiusColumns) {
     EXPECT_EQ(judge.fault(), "");
 }
 
-TEST(CellsSets, ScalingAllImportanceAndTheSquareOfGChangesNothing) {
-    const Field field = tests::noise_field(20, 15, 4);
-    Field sixteenth = field;
-    for (double& value : sixteenth.importance) value /= 16;
-    const Request request = cells_request(field, 0.04, Metric::mean, Boundary::torus);
-    Request other = request;
-    other.field = &sixteenth;
-    other.scale = *request.scale / 4;
-    EXPECT_EQ(sample(request).points, sample(other).points);
-}
-
 }  // namespace

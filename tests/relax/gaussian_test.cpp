@@ -62,20 +62,6 @@ TEST_P(Gaussian, gives_the_spots_of_the_reference) {
     }
 }
 
-TEST_P(Gaussian, gives_the_same_at_any_number_of_threads_and_after_iterations) {
-    RelaxOptions options = on(1, 1, Boundary::torus);
-    options.iterations = 2;
-    options.gaussian = 5;
-    options.place.backend = "cpu";
-    const std::vector<Point> start = random_points(3000, 1, 1, 1);
-    const std::vector<Point> expected = relax(start, nullptr, options).points;
-    options.place.backend = GetParam();
-    for (const std::uint32_t threads : {1u, 2u, 8u}) {
-        options.place.threads = threads;
-        EXPECT_TRUE(relax(start, nullptr, options).points == expected) << threads;
-    }
-}
-
 TEST_P(Gaussian, is_asked_whether_to_go_on_in_each_step) {
     class Stop : public Observer {
     public:

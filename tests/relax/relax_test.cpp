@@ -24,15 +24,17 @@ using lacuna::tests::refusal_of;
 class Relax : public OnBackend {};
 INSTANTIATE_TEST_SUITE_P(All, Relax, kRelaxBackends, name_of_parameter);
 
-TEST_P(Relax, gives_the_points_of_the_reference) {
+TEST_P(Relax, gives_the_points_of_the_reference_with_any_threads) {
     for (Scene scene : scenes()) {
         scene.options.iterations = 5;
         scene.options.place.backend = "reference";
         const Relaxed expected = relax(scene.points, scene.field_or_null(), scene.options);
-        scene.options.place.backend = GetParam();
-        const Relaxed relaxed = relax(scene.points, scene.field_or_null(), scene.options);
-        EXPECT_EQ(relaxed.points, expected.points) << scene;
-        EXPECT_EQ(relaxed.backend, GetParam());
+        for (const std::uint32_t threads : {0U, 1U, 3U, 8U}) {
+            scene.options.place = {.backend = GetParam(), .threads = threads};
+            const Relaxed relaxed = relax(scene.points, scene.field_or_null(), scene.options);
+            EXPECT_EQ(relaxed.points, expected.points) << scene << ", " << threads << " threads";
+            EXPECT_EQ(relaxed.backend, GetParam());
+        }
     }
 }
 

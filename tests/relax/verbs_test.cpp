@@ -134,24 +134,6 @@ TEST_P(Verbs, ask_whether_to_go_on_for_every_few_points_far_from_importance) {
     EXPECT_THROW(backend->rest(), Cancelled);
 }
 
-TEST_P(Verbs, do_the_same_at_any_number_of_threads) {
-    for (const Scene& scene : scenes()) {
-        const Lattice lattice = scene.lattice();
-        std::vector<std::vector<Site>> ends;
-        for (const std::uint32_t threads : {1u, 2u, 3u, 8u}) {
-            const auto backend = make_backend(GetParam(), lattice, scene.sites(lattice), threads);
-            for (int i = 0; i < 3; ++i) {
-                backend->assign();
-                backend->accumulate();
-                backend->move(LONG_WAY);
-            }
-            ends.push_back(backend->sites());
-            EXPECT_EQ(difference("site", ends.front(), ends.back()), "")
-                << scene << ", " << threads << " threads";
-        }
-    }
-}
-
 TEST_P(Verbs, give_every_lattice_point_of_importance_to_somebody) {
     for (const Scene& scene : scenes()) {
         const Lattice lattice = scene.lattice();

@@ -38,20 +38,6 @@ void expect_proven(const Request& request, const Result& set) {
     EXPECT_TRUE(proof.kept && proof.covered && proof.maximal);
 }
 
-TEST(CountsOfClasses, ComeFirstAsIfTheOthersWereNotThere) {
-    Request request = wood();
-    request.classes.counts = {{}, 60, {}};
-    const Result set = sample(request);
-    request.classes.counts.clear();
-    request.classes.weights = {0, 1, 0};
-    request.limit = 60;
-    const Result alone = sample(request);
-    EXPECT_TRUE(std::equal(alone.points.begin(), alone.points.end(), set.points.begin()));
-    EXPECT_EQ(points_of(kBushes, set), 60U);
-    EXPECT_GT(points_of(kTrees, set), 5U);
-    EXPECT_GT(points_of(kGrass, set), 500U);
-}
-
 TEST(CountsOfClasses, OfAllClassesLeaveRoom) {
     Request request = wood();
     request.classes.counts = {5, 6, 7};

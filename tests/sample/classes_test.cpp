@@ -82,37 +82,6 @@ TEST(Classes, AreDrawnByTheirWeights) {
     EXPECT_NEAR(shares[1], 0.9, 0.01);
 }
 
-TEST(Classes, AreOneSetWithoutClassesIfThereIsOne) {
-    Request plain;
-    plain.radius = 0.02;
-    plain.place.backend = "cpu";
-    Request one = request_of({0.02});
-    const Result expected = sample(plain);
-    const Result got = sample(one);
-    EXPECT_EQ(got.points, expected.points);
-    EXPECT_EQ(got.radius, 0.02);
-    EXPECT_EQ(got.classes, std::vector<std::uint8_t>(got.points.size(), 0));
-    const std::vector<Point> keep{{0.5, 0.5}};
-    const std::vector<std::uint8_t> of_keep{0};
-    plain.keep = one.keep = keep;
-    one.keep_classes = of_keep;
-    EXPECT_EQ(sample(one).points, sample(plain).points);
-}
-
-TEST(Classes, KeepTheirOwnBorderAndMaskIfThereIsOne) {
-    Request plain;
-    plain.radius = 0.02;
-    plain.border = 0.1;
-    plain.place.backend = "cpu";
-    const Mask mask = tests::noise_mask(5, 7, 1);
-    plain.mask = &mask;
-    Request one = request_of({0.02});
-    one.border = 0.3;
-    one.classes.borders = {0.1};
-    one.classes.masks = {&mask};
-    EXPECT_EQ(sample(one).points, sample(plain).points);
-}
-
 TEST(Classes, RefuseKeptPointsWithinTheirBorderAndOffTheirMask) {
     Request request = request_of({0.1, 0.1, 0.1, 0.1});
     request.classes.borders = {0, 0.2};

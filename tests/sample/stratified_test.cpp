@@ -229,10 +229,4 @@ TEST_P(FairShares, AreWhatEveryShapeHasBeforeAndAfterRelaxing) {
 
 INSTANTIATE_TEST_SUITE_P(AStratifiedStart, FairShares, testing::Values(500, 2000, 20'000));
 
-TEST(AStratifiedStart, IsTheSameEverywhereAndDependsOnTheSeed) {
-    const std::vector<Point> points = sample(stratified(1000, 7)).points;
-    EXPECT_EQ(points, sample(stratified(1000, 7)).points);
-    EXPECT_NE(points, sample(stratified(1000, 8)).points);
-}
-
 }  // namespace lacuna::tests

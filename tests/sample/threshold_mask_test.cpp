@@ -130,11 +130,6 @@ TEST(FramesOfThresholdMasks, AreUnlikeTheNextOneAlsoIfTheyAreTwo) {
     }
 }
 
-TEST(AThresholdMask, IsTheSameForASeedAndAnotherForAnother) {
-    EXPECT_EQ(threshold_mask(32, 32, 3).ranks, threshold_mask(32, 32, 3).ranks);
-    EXPECT_NE(threshold_mask(32, 32, 3).ranks, threshold_mask(32, 32, 4).ranks);
-}
-
 // The mean over many pairs of tiles, as they are and with the second one moved.
 TEST(AThresholdMask, IsNotCorrelatedWithThoseOfOtherSeeds) {
     constexpr std::uint32_t kSide = 32, kPixels = kSide * kSide;

@@ -134,26 +134,6 @@ Request request_of(Mode mode, double radius) {
 
 class ReferenceInMode : public testing::TestWithParam<Mode> {};
 
-TEST_P(ReferenceInMode, SameSeedSamePointsAnotherSeedOthers) {
-    Request request = request_of(GetParam(), 0.03);
-    const std::vector<Point> first = sample(request).points;
-    EXPECT_EQ(first, sample(request).points);
-    request.seed = 1;
-    EXPECT_NE(first, sample(request).points);
-}
-
-TEST_P(ReferenceInMode, ALimitGivesAPrefix) {
-    Request request = request_of(GetParam(), 0.03);
-    const std::vector<Point> all = sample(request).points;
-    for (const std::uint64_t limit : {1u, 2u, 100u, 1'000'000u}) {
-        request.limit = limit;
-        const Result result = sample(request);
-        ASSERT_EQ(result.points.size(), std::min<std::size_t>(limit, all.size()));
-        EXPECT_TRUE(std::equal(result.points.begin(), result.points.end(), all.begin()));
-        EXPECT_EQ(result.maximal, limit > all.size());
-    }
-}
-
 TEST_P(ReferenceInMode, ACountIsMetExactly) {
     for (const std::uint64_t count : {1u, 2u, 3u, 10u, 278u, 5000u}) {
         for (const std::uint32_t m : {1u, 30u}) {
