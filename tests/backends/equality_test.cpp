@@ -15,7 +15,6 @@
 #include "plan/checked_request.h"
 #include "plan/make_plan.h"
 #include "plan/plan.h"
-#include "refusal.h"
 #include "sampling/generate.h"
 
 namespace {
@@ -184,14 +183,6 @@ TEST_P(Equality, IsTheOneThatRan) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Backend, Equality, tests::kParallelBackends, tests::name_of_parameter);
-
-TEST(Backends, UnknownNameIsRefusedWithTheKnownOnes) {
-    Request request;
-    request.radius = 0.1;
-    request.place.backend = "gpu";
-    const std::string what = tests::refusal_of([&] { sample(request); });
-    EXPECT_TRUE(what.starts_with("backend gpu: must be one of auto, cpu, ")) << what;
-}
 
 TEST(Backends, WithoutDevicesRefuseTheNameOfOne) {
     Request request;

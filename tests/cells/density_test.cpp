@@ -53,11 +53,11 @@ struct Loss {
     double most;
 };
 
-// N r^2 of a constant field, over radii whose multiples lie differently on the lattice. Means of 40
-// sets of about 1,700 lie within 0.002.
-constexpr Loss kLosses[] = {{3, 0.59, 0.605},   {4, 0.64, 0.66},    {5, 0.62, 0.64},
-                            {7, 0.67, 0.69},    {10, 0.655, 0.672}, {20, 0.675, 0.69},
-                            {30, 0.682, 0.697}, {40, 0.685, 0.697}};
+// At 30 steps within 1.5 % of uniform. N r^2 of a constant field, over radii whose multiples lie
+// differently on the lattice. Means of 40 sets of about 1,700 lie within 0.002.
+constexpr Loss kLosses[] = {{3, 0.59, 0.605},    {4, 0.64, 0.66},    {5, 0.62, 0.64},
+                            {7, 0.67, 0.69},     {10, 0.655, 0.672}, {20, 0.675, 0.69},
+                            {30, 0.6862, 0.697}, {40, 0.685, 0.697}};
 
 TEST(CellsDensity, AConstantFieldLosesToTheLatticeWhatItsStepsTell) {
     std::printf("| m | N r^2 | standard error | less than %.5f by |\n", kJamming);
@@ -73,19 +73,6 @@ TEST(CellsDensity, AConstantFieldLosesToTheLatticeWhatItsStepsTell) {
                     100 * (1 - mean.value / kJamming));
         EXPECT_GT(mean.value, loss.least) << loss.m;
         EXPECT_LT(mean.value, loss.most) << loss.m;
-    }
-}
-
-TEST(CellsDensity, AConstantFieldAtThirtyStepsIsWithinOneAndAHalfPercentOfUniform) {
-    const Field field = tests::constant_field(5, 7, 0.3);
-    for (const double radius : {0.01, 0.0123}) {
-        Request request = torus_request(field, radius * std::sqrt(0.3), 30);
-        const Mean mean = mean_over(5, [&](std::uint64_t seed) {
-            request.seed = seed;
-            return static_cast<double>(sample(request).points.size()) * radius * radius;
-        });
-        std::printf("N r^2 = %.5f +- %.5f at r = %g\n", mean.value, mean.error, radius);
-        EXPECT_NEAR(mean.value / kJamming, 1, 0.015);
     }
 }
 

@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
-#include <rapidcheck/gtest.h>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "fields.h"
@@ -37,41 +36,6 @@ void expect_all_promises(const Request& request) {
     EXPECT_EQ(judge.room(), "");
 }
 
-// Up to 12 x 12 pixels; importance spans three decades, and some pixels are white.
-Field random_field() {
-    Field field;
-    field.columns = *rc::gen::inRange(1u, 13u);
-    field.rows = *rc::gen::inRange(1u, 13u);
-    const std::uint32_t white_in = *rc::gen::inRange(1u, 9u);
-    for (std::uint32_t i = 0; i < field.columns * field.rows; ++i) {
-        const bool is_white = *rc::gen::inRange(0u, white_in) == 1;
-        field.importance.push_back(is_white ? 0 : std::pow(10, -*rc::gen::inRange(0, 31) / 10.0));
-    }
-    if (std::all_of(field.importance.begin(), field.importance.end(),
-                    [](double value) { return value == 0; }))
-        field.importance[0] = 1;
-    return field;
-}
-
-RC_GTEST_PROP(CellsSets, KeepEveryPromise, ()) {
-    const Field field = random_field();
-    Request request =
-        cells_request(field, 0, *rc::gen::element(Metric::min, Metric::mean, Metric::max),
-                      *rc::gen::element(Boundary::box, Boundary::torus));
-    request.domain.width = *rc::gen::inRange(50, 301) / 100.0;
-    request.domain.height = *rc::gen::inRange(50, 301) / 100.0;
-    request.paper2011.lines_per_radius = *rc::gen::inRange(1u, 21u);
-    request.scale = tests::scale_of(field, request.domain.width * request.domain.height,
-                                    *rc::gen::element(0.5, 5.0, 30.0, 120.0));
-    request.paper2011.round_size = *rc::gen::element(0u, 1u, 7u);
-    request.seed = *rc::gen::arbitrary<std::uint64_t>();
-    request.place.backend = *rc::gen::element<std::string>("cpu", "reference");
-
-    const CellsJudge judge(request, sample(request).points);
-    RC_ASSERT(judge.fault() == "");
-    RC_ASSERT(judge.room() == "");
-}
-
 // The other tests rely on the judge. This test shows that it notices faults.
 TEST(CellsSets, TheJudgeSeesOnePointMissingOrMoved) {
     const Field field = tests::noise_field(12, 9, 3);
@@ -94,60 +58,39 @@ TEST(CellsSets, TheJudgeSeesOnePointMissingOrMoved) {
         }
 }
 
-TEST(CellsSets, KeepEveryPromiseInLargeSets) {
-    const Field noise = tests::noise_field(300, 200, 5);
-    const Field holes = tests::white_holes_field(200, 200);
-    const Field dark = tests::one_dark_pixel_field(64, 64);
-    for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {
-        for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
-            SCOPED_TRACE(std::string(name_of(metric)));
-            for (const auto& [field, count] :
-                 {std::pair(&noise, 2000), {&holes, 4000}, {&dark, 100}})
-                expect_all_promises(
-                    cells_request(*field, tests::scale_of(*field, 1, count), metric, boundary));
-        }
-    }
-}
-
+// Random small fields are judged by hostile.
+TEST(CellsSets, KeepEveryPromise) {
+    struct Row {
+        Field field;
+        double count, width = 1, height = 1;
+        std::uint64_t seeds = 1;
+    };
+    std::vector<Row> rows{{tests::noise_field(300, 200, 5), 2000},
+                          {tests::white_holes_field(200, 200), 4000},
+                          {tests::one_dark_pixel_field(64, 64), 100},
+                          {tests::ramp_field(1, 80), 50},
+                          {tests::noise_field(1, 80, 1), 50},
+                          {tests::noise_field(80, 1, 2), 50},
+                          {tests::constant_field(1, 1), 50},
+                          {tests::noise_field(400, 300, 3), 50},
+                          // The mean of a small radius and one far larger than the domain is still
+                          // larger than the domain.
+                          {tests::step_field(10, 10, 1e8), 35, 1, 1, 20}};
 #ifdef LACUNA_RACCOON
-TEST(CellsSets, KeepEveryPromiseOnThePhotograph) {
-    const Field field = tests::raccoon_field(512);
-    for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {
-        SCOPED_TRACE(std::string(name_of(metric)));
-        Request request =
-            cells_request(field, tests::scale_of(field, 12, 20'000), metric, Boundary::box);
-        request.domain.width = 4;
-        request.domain.height = 3;
-        expect_all_promises(request);
-    }
-}
+    rows.push_back({tests::raccoon_field(512), 20'000, 4, 3});
 #endif
-
-TEST(CellsSets, FieldsOfOnePixelInAnAxisAndFinerThanTheLattice) {
-    for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {
-        for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
-            for (const Field& field : {tests::ramp_field(1, 80), tests::noise_field(1, 80, 1),
-                                       tests::noise_field(80, 1, 2), tests::constant_field(1, 1),
-                                       tests::noise_field(400, 300, 3)}) {
-                SCOPED_TRACE(std::to_string(field.columns) + "x" + std::to_string(field.rows));
-                expect_all_promises(
-                    cells_request(field, tests::scale_of(field, 1, 50), metric, boundary));
+    for (const Row& row : rows)
+        for (const Metric metric : {Metric::min, Metric::mean, Metric::max})
+            for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
+                SCOPED_TRACE(std::to_string(row.field.columns) + "x" +
+                             std::to_string(row.field.rows) + ", " + std::string(name_of(metric)));
+                const double scale = tests::scale_of(row.field, row.width * row.height, row.count);
+                Request request = cells_request(row.field, scale, metric, boundary);
+                request.domain.width = row.width;
+                request.domain.height = row.height;
+                for (request.seed = 0; request.seed < row.seeds; ++request.seed)
+                    expect_all_promises(request);
             }
-        }
-    }
-}
-
-// The mean of a small radius and one far larger than the domain is still larger than the domain.
-TEST(CellsSets, RadiiFarLargerThanTheDomainCountInFull) {
-    const Field field =
-        tests::made_field(10, 10, [](double x, double) { return x < 0.5 ? 1 : 1e-8; });
-    for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {
-        for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
-            SCOPED_TRACE(std::string(name_of(metric)));
-            Request request = cells_request(field, 0.1, metric, boundary);
-            for (request.seed = 0; request.seed < 20; ++request.seed) expect_all_promises(request);
-        }
-    }
 }
 
 // A row that is lower than a few of the steps that m asks for. At 16 and 12 it is 0.6 and 0.8 of

@@ -61,18 +61,6 @@ TEST(APicture, TellsSeedVersionAndCommand) {
                                                   "/Keywords (seed 9)", "/Creator (Lacuna "});
 }
 
-TEST(AnalyzeAndVerify, KnowBoundaryDomainAndRadiusFromAJsonFile) {
-    const Folder folder;
-    const std::string path = folder.path("a.json");
-    expect_success(
-        {"sample", "--radius", "0.1", "--torus", "--domain", "2x1", "--quiet", "-o", path});
-    expect_has(line_of(run({"analyze", path, "--quiet"}).out, "domain"), {"2 x 1, torus"});
-    const Outcome proof = run({"verify", path});
-    EXPECT_EQ(proof.exit_code, 0) << proof.out;
-    expect_has(line_of(proof.out, "domain"), {"2 x 1, torus"});
-    expect_has(line_of(proof.out, "radius"), {"0.1"});
-}
-
 TEST(Analyze, TakesAFileWithoutADomainForOneOfTheDomainGiven) {
     const Folder folder;
     const std::string told = folder.path("a.json");

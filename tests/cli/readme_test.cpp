@@ -1,26 +1,20 @@
 // README's commands do what it says: each ends well, makes its files and warns of nothing, and a
-// stippled picture has the ink of the photograph. Those of all pages make the same sets in C.
+// stippled picture has the ink of the photograph.
 #include <gtest/gtest.h>
-#include <lacuna.h>
-#include <lacuna/lacuna.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "expectations.h"
-#include "files/read_points.h"
 #include "pictures/image.h"
 #include "program.h"
-#include "recipes/options.h"
 
 namespace {
 
-using namespace lacuna;
 using namespace lacuna::tests;
 using lacuna::pictures::Image;
 
@@ -103,59 +97,6 @@ TEST(Readme, HasCommandsThatAllEndWellAndMakeTheirFiles) {
         EXPECT_NEAR(ink / wanted, 1, 0.25) << command;  // an hour of a plotter has less
     }
     EXPECT_GT(stippled, 3U);
-}
-
-// Whether lacuna.h has an option, which it has not if it is about files or drawings.
-bool has_in_c(const std::string& options) {
-    lacuna_free(lacuna_sample(options.c_str(), nullptr));
-    return std::string(lacuna_error()).find("is for the command alone") == std::string::npos;
-}
-
-// The options of `lacuna sample` that decide the points of its set, as a text for lacuna.h. Empty
-// if lacuna.h lacks one of them, and for commands that make several sets, read files or are others.
-std::string text_for_c(const std::string& command) {
-    const Words words = words_of(command);
-    std::string text;
-    for (std::size_t i = 2; i < words.size() && words[1] == "sample"; ++i) {
-        if (words[i] == "|" || words[i] == ">") break;
-        const std::size_t dashes = std::min(words[i].find_first_not_of('-'), words[i].size());
-        const auto* const option = recipes::find_option(recipes::kSample, words[i].substr(dashes));
-        if (option == nullptr) return "";
-        std::string given = "--" + std::string(option->name);
-        if (i + 1 < words.size() && !words[i + 1].starts_with("-")) given += " " + words[++i];
-        if (option->name == "seeds" || option->names_a_file() || given == "--help") return "";
-        if (has_in_c(given))
-            text += " " + given;
-        else if (option->traits.decides_points)
-            return "";
-    }
-    return text;
-}
-
-TEST(CommandsOfThePages, MakeTheSameSetsInC) {
-    Words commands = commands_in(kRoot + "README.md", "build/lacuna ");
-    for (const auto& page : std::filesystem::directory_iterator(kRoot + "docs"))
-        if (page.is_regular_file())
-            commands = joined(commands, commands_in(page.path(), "lacuna "));
-    const Folder folder;
-    int compared = 0;
-    for (const std::string& command : commands) {
-        const std::string text = text_for_c(command);
-        const bool is_large = text.find("--radius 0.000") != std::string::npos;
-        if (text.empty() || is_large) continue;
-        const std::string points = folder.path("a.csv");
-        expect_success(joined({"sample", "--quiet", "-o", points}, words_of(text)));
-        const std::unique_ptr<lacuna_set, void (*)(lacuna_set*)> set(
-            lacuna_sample(text.c_str(), nullptr), lacuna_free);
-        ASSERT_NE(set, nullptr) << text << ": " << lacuna_error();
-        const std::vector<lacuna::Point> expected = lacuna::files::read_points(points);
-        ASSERT_EQ(lacuna_count(set.get()), expected.size()) << command;
-        EXPECT_TRUE(std::equal(expected.begin(), expected.end(),
-                               reinterpret_cast<const lacuna::Point*>(lacuna_points(set.get()))))
-            << command;
-        ++compared;
-    }
-    EXPECT_GE(compared, 12);
 }
 
 }  // namespace

@@ -18,35 +18,40 @@ std::vector<Point> points_in(const std::string& path) {
     return lacuna::files::read_points(path);
 }
 
-TEST(Relax, GivenASetThenItMakesWhatSampleWithRelaxMakes) {
+TEST(Relax, MakesOfASetWhatSampleAndStippleMakeOfThatStart) {
     const Folder folder;
     const std::string set = folder.path("set.npy"), even = folder.path("even.npy"),
-                      at_once = folder.path("at_once.npy");
-    const Names request{"sample", "--count", "500", "--torus", "--quiet", "-o"};
-    expect_success(joined(request, {set}));
-    expect_success(joined(request, {at_once, "--relax", "7", "--start", "exact"}));
-    const Outcome outcome =
-        run({"relax", set, "--torus", "--iterations", "7", "--quiet", "-o", even});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "");
-    EXPECT_EQ(points_in(even).size(), 500U);
-    EXPECT_EQ(points_in(even), points_in(at_once));
-    EXPECT_NE(points_in(even), points_in(set));
-}
-
-TEST(Relax, GivenDotsAndTheirPictureThenItMakesWhatStippleMakesOfThatStart) {
-    const Folder folder;
-    const std::string dots = folder.path("dots.npy"), even = folder.path("even.npy");
-    ASSERT_EQ(
-        stipple(kRaccoon, {"--count", "2000", "--relax", "0", "--metric", "mean"}, dots).exit_code,
-        0);
-    expect_success({"relax", dots, kRaccoon, "--quiet", "-o", even});
-    const std::string at_once = folder.path("at_once.npy");
-    const Names request{"stipple", kRaccoon, "--count", "2000", "--quiet", "-o", at_once};
-    expect_success(joined(request, {"--start", "cells"}));
-    EXPECT_EQ(points_in(even), points_in(at_once));
-    expect_success(request);
-    EXPECT_NE(points_in(even), points_in(at_once));
+                      at_once = folder.path("at_once.json"), report = folder.path("report.json");
+    const Words torus{"sample", "--count", "300", "--torus", "--quiet"};
+    const Words dots{"stipple", kRaccoon, "--count", "2000", "--quiet"};
+    struct Row {
+        Words makes, start, moves, at_once;
+    };
+    const Words moves{"--torus", "--iterations", "3"}, cells{"--relax", "0", "--metric", "mean"};
+    for (const auto& [makes, start, moving, whole] :
+         std::vector<Row>{{torus, {}, moves, {"--relax", "3", "--start", "exact"}},
+                          {dots, cells, {kRaccoon}, {"--start", "cells"}},
+                          {torus,
+                           {},
+                           joined(moves, {"--gaussian=150"}),
+                           {"--relax", "3", "--start", "exact", "--gaussian"}}}) {
+        expect_success(joined(joined(makes, start), {"-o", set}));
+        expect_success(joined(joined(makes, whole), {"-o", at_once}));
+        const Outcome outcome = run(
+            joined(joined({"relax", set}, moving), {"--quiet", "-o", even, "--report", report}));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_EQ(points_in(even), points_in(at_once));
+        EXPECT_NE(points_in(even), points_in(set));
+    }
+    const auto json = nlohmann::json::parse(content_of(report));
+    EXPECT_EQ(json.at("request").at("gaussian"), 150);
+    EXPECT_EQ(json.at("request").at("gaussian_distance"), 0.9);
+    EXPECT_GT(json.at("seconds").at("descend"), 0);
+    EXPECT_NE(content_of(at_once).find("--relax 3 --gaussian 150"), std::string::npos);
+    expect_success(joined(dots, {"-o", set}));
+    expect_success(joined(dots, {"--start", "cells", "-o", at_once}));
+    EXPECT_NE(points_in(set), points_in(at_once));
 }
 
 TEST(Relax, ReportsHowEvenTheSharesAre) {
@@ -67,23 +72,6 @@ TEST(Relax, ReportsHowEvenTheSharesAre) {
     EXPECT_EQ(json.at("radius"), json.at("relax").at("least_distance"));
     EXPECT_GT(json.at("seconds").at("assign"), 0);
     EXPECT_GT(json.at("seconds").at("move"), 0);
-}
-
-TEST(Relax, GivenGaussianThenSampleAndRelaxMakeTheSameSetAndSayHow) {
-    const Folder folder;
-    const std::string set = folder.path("set.npy"), smooth = folder.path("smooth.json"),
-                      at_once = folder.path("at_once.json"), report = folder.path("report.json");
-    const Names request{"sample", "--count", "300", "--torus", "--start", "exact", "--quiet", "-o"};
-    expect_success(joined(request, {set}));
-    expect_success(joined(request, {at_once, "--relax", "3", "--gaussian"}));
-    expect_success({"relax", set, "--torus", "--iterations", "3", "--gaussian=150", "--quiet", "-o",
-                    smooth, "--report", report});
-    EXPECT_EQ(points_in(smooth), points_in(at_once));
-    const auto json = nlohmann::json::parse(content_of(report));
-    EXPECT_EQ(json.at("request").at("gaussian"), 150);
-    EXPECT_EQ(json.at("request").at("gaussian_distance"), 0.9);
-    EXPECT_GT(json.at("seconds").at("descend"), 0);
-    EXPECT_NE(content_of(at_once).find("--relax 3 --gaussian 150"), std::string::npos);
 }
 
 TEST(Relax, TellsOfAFileInOneLineAndReportsPointsThatWereRead) {

@@ -126,18 +126,28 @@ class AnInterruptedRun : public testing::TestWithParam<int> {};
 TEST_P(AnInterruptedRun, ExitsWithTheSignalsCodeAndLeavesNothing) {
     const Folder folder;
     write_file(folder.path("a.txt"), "older\n");
-    // Fine enough to run for minutes, with rounds small enough to be stopped soon.
-    Program program({"sample", "--radius", "0.0005", "--backend", "reference", "--round-size", "64",
-                     "--mode", "lines", "-o", folder.path("a.txt"), "--report",
-                     folder.path("report.json")});
-    ASSERT_TRUE(program.waits_for(GetParam()));
-    program.send(GetParam());
-    const Outcome outcome = program.wait();
-    EXPECT_EQ(outcome.exit_code, 128 + GetParam());
-    EXPECT_EQ(outcome.out, "");
-    expect_one_line(outcome.err);
-    EXPECT_EQ(content_of(folder.path("a.txt")), "older\n");
-    EXPECT_EQ(folder.names(), Names{"a.txt"});
+    const Words fine{"sample",
+                     "--radius",
+                     "0.0005",
+                     "-o",
+                     folder.path("a.txt"),
+                     "--report",
+                     folder.path("report.json")};
+    // Both take minutes: with rounds small enough to be stopped soon, or in a few dozen rounds, so
+    // that most polls come from within a round.
+    for (const Words& more :
+         {Words{"--backend", "reference", "--round-size", "64", "--mode", "lines"},
+          Words{"--lines-per-radius", "1000", "--backend", "cpu", "--threads", "1"}}) {
+        Program program(joined(fine, more));
+        ASSERT_TRUE(program.waits_for(GetParam()));
+        program.send(GetParam());
+        const Outcome outcome = program.wait();
+        EXPECT_EQ(outcome.exit_code, 128 + GetParam());
+        EXPECT_EQ(outcome.out, "");
+        expect_one_line(outcome.err);
+        EXPECT_EQ(content_of(folder.path("a.txt")), "older\n");
+        EXPECT_EQ(folder.names(), Names{"a.txt"});
+    }
 }
 
 // Files that are no pipes are finished first.
@@ -212,19 +222,6 @@ TEST_P(AnInterruptedRun, OnADeviceDoesNotWaitForIt) {
 
 INSTANTIATE_TEST_SUITE_P(ByCtrlCOrTheSystem, AnInterruptedRun,
                          testing::Values(SIGINT, SIGTERM, SIGHUP, SIGQUIT));
-
-TEST_P(AnInterruptedRun, OfTheCpuBackendInExactDoesSoToo) {
-    const Folder folder;
-    // Takes minutes, in a few dozen rounds: most polls come from within a round.
-    Program program({"sample", "--radius", "0.0005", "--lines-per-radius", "1000", "--backend",
-                     "cpu", "--threads", "1", "-o", folder.path("a.txt")});
-    ASSERT_TRUE(program.waits_for(GetParam()));
-    program.send(GetParam());
-    const Outcome outcome = program.wait();
-    EXPECT_EQ(outcome.exit_code, 128 + GetParam());
-    expect_one_line(outcome.err);
-    EXPECT_EQ(folder.names(), Names{});
-}
 
 TEST(AnInterruptedCommand, OfAnyKindExitsWith130AndWritesNothing) {
     const Folder folder;

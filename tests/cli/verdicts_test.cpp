@@ -37,6 +37,7 @@ protected:
             const Outcome outcome = verdict_of(points, claim);
             EXPECT_EQ(outcome.exit_code, exit_code);
             expect_has(outcome.out + outcome.err, says);
+            EXPECT_EQ(outcome.out.find(" inf"), std::string::npos) << outcome.out;
         }
     }
 
@@ -45,6 +46,22 @@ protected:
     const std::string half_ = file("half.pgm", pgm(2, 1, bytes({0, 0xff})));
     const std::string ring_ = file("ring.txt", "0.5 0\n1 0\n1 0.5\n0.5 0.5\n");
 };
+
+TEST_F(Verdicts, OfFewPoints) {
+    const std::string two = "0.1 0.1\n0.9 0.9\n", outside = "x,y\n0.5,0.5\n1.5,0.5\n";
+    expect({{two,
+             {"--radius", "0.1", "--distances-only"},
+             0,
+             {"a Poisson-disk set of radius 0.1", "was not asked"}},
+            {two, {"--radius", "1.2", "--distances-only"}, 1, {}},
+            {outside, {"--radius", "2"}, 1, {"point 1 at (1.5, 0.5)", "[0, 1] x [0, 1]"}},
+            {outside, {"--radius", "0.9", "--domain", "2x1", "--torus"}, 0, {}},
+            {"# nothing\n",
+             {"--radius", "5"},
+             1,
+             {"for want of two points", "for want of a point", "not covered"}},
+            {"0.5 0.5\n", {"--radius", "0.8"}, 0, {"for want of two points", "0.70710678"}}});
+}
 
 // The importance is 1 and 63/255, so that the radii are 0.3 and 0.6036 at scale 0.3.
 TEST_F(Verdicts, OnAField) {

@@ -43,19 +43,6 @@ TEST(Verify, OfAMaximalSetExitsWith0AndTellsTheNumbers) {
         {"a maximal Poisson-disk set of radius 0.04, to a tolerance of 3.725290298461914e-09"});
 }
 
-TEST(Verify, OfDistancesOnlyDoesNotAskForGaps) {
-    const Folder folder;
-    write_file(folder.path("a.txt"), "0.1 0.1\n0.9 0.9\n");
-    const Outcome outcome =
-        run({"verify", folder.path("a.txt"), "--radius", "0.1", "--distances-only"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
-    EXPECT_EQ(outcome.out.find("farthest"), std::string::npos);
-    expect_has(line_of(outcome.out, "verdict"),
-               {"a Poisson-disk set of radius 0.1", "was not asked"});
-    EXPECT_EQ(
-        run({"verify", folder.path("a.txt"), "--radius", "1.2", "--distances-only"}).exit_code, 1);
-}
-
 TEST(Verify, OfSeveralFilesAndSetsTellsOfEachAndFailsIfOneDoes) {
     const Folder folder;
     write_file(folder.path("a.txt"), "1\n0.5 0.5\n");  // PSA's format
@@ -120,31 +107,6 @@ TEST(Verify, OfASetWithAHoleExitsWith1AndNamesTheSpot) {
     ASSERT_EQ(std::sscanf(verdict.substr(verdict.find('(')).c_str(), "(%lf, %lf)", &x, &y), 2);
     EXPECT_NEAR(x, 0.525, 1e-9);
     EXPECT_NEAR(y, 0.775, 1e-9);
-}
-
-TEST(Verify, OfAPointOutsideExitsWith1AndNamesIt) {
-    const Folder folder;
-    write_file(folder.path("a.csv"), "x,y\n0.5,0.5\n1.5,0.5\n");
-    const Outcome outside = run({"verify", folder.path("a.csv"), "--radius", "2"});
-    EXPECT_EQ(outside.exit_code, 1);
-    expect_has(line_of(outside.out, "verdict"), {"point 1 at (1.5, 0.5)", "[0, 1] x [0, 1]"});
-
-    const Words in_its_domain{"verify", folder.path("a.csv"), "--radius", "0.9", "--domain", "2x1",
-                              "--torus"};
-    expect_success(in_its_domain);
-}
-
-TEST(Verify, OfNoPointOrOnePointStillHasAVerdict) {
-    const Folder folder;
-    write_file(folder.path("none.txt"), "# nothing\n");
-    write_file(folder.path("one.txt"), "0.5 0.5\n");
-    const Outcome none = run({"verify", folder.path("none.txt"), "--radius", "5"});
-    EXPECT_EQ(none.exit_code, 1);
-    expect_has(none.out, {"for want of two points", "for want of a point", "not covered"});
-    EXPECT_EQ(none.out.find("inf"), std::string::npos) << none.out;
-    const Outcome one = run({"verify", folder.path("one.txt"), "--radius", "0.8"});
-    EXPECT_EQ(one.exit_code, 0);
-    expect_has(one.out, {"for want of two points", "0.70710678"});
 }
 
 TEST(Verify, ReadsStandardInputAndEveryFormatOfSample) {

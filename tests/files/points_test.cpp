@@ -137,25 +137,13 @@ struct NamedPoints {
 
 class PointFiles : public testing::TestWithParam<NamedPoints> {};
 
-TEST_P(PointFiles, WhenWrittenAsTxtThenReadingGivesTheSameDoubles) {
-    expect_text_round_trip(GetParam().points, format_of("a.txt"), {}, ' ', "");
-}
-
-TEST_P(PointFiles, WhenWrittenAsCsvThenReadingGivesTheSameDoubles) {
-    expect_text_round_trip(GetParam().points, format_of("a.csv"), {"x,y"}, ',', "");
-}
-
-TEST_P(PointFiles, WhenWrittenAsPlyThenReadingGivesTheSameDoublesAndZIsZero) {
-    expect_text_round_trip(GetParam().points, format_of("a.ply"),
-                           ply_header(GetParam().points.size()), ' ', " 0");
-}
-
-TEST_P(PointFiles, WhenWrittenAsNpyThenReadingGivesTheSameDoubles) {
-    expect_npy_round_trip(GetParam().points);
-}
-
-TEST_P(PointFiles, WhenWrittenAsJsonThenReadingGivesTheSameDoubles) {
-    expect_json_round_trip(GetParam().points);
+TEST_P(PointFiles, OfEveryFormatGiveTheSameDoubles) {
+    const std::vector<Point>& points = GetParam().points;
+    expect_text_round_trip(points, format_of("a.txt"), {}, ' ', "");
+    expect_text_round_trip(points, format_of("a.csv"), {"x,y"}, ',', "");
+    expect_text_round_trip(points, format_of("a.ply"), ply_header(points.size()), ' ', " 0");
+    expect_npy_round_trip(points);
+    expect_json_round_trip(points);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sets, PointFiles,

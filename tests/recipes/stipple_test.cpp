@@ -87,16 +87,6 @@ TEST(Stippling, OfABlackPictureIsBlack) {
     EXPECT_EQ(dots_of(stipple(kBlack, options)), options.ink_counts);
 }
 
-TEST(Stippling, IsTheSameOnEveryBackendAndNumberOfThreads) {
-    StippleOptions options = in_inks("red,black,blue", 200);
-    options.relax = 3;
-    const std::vector<Point> points = stipple(kDrawing, options).result.points;
-    options.request.place.threads = 1;
-    EXPECT_EQ(stipple(kDrawing, options).result.points, points);
-    options.request.place.backend = "reference";
-    EXPECT_EQ(stipple(kDrawing, options).result.points, points);
-}
-
 TEST(Stippling, KeptInsideDrawsThinLinesWithSmallerDots) {
     // A black block of 60 x 60 pixels, and a line of 3 pixels beside it.
     std::string pixels = "P2 120 60 255";

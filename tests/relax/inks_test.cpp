@@ -225,21 +225,4 @@ TEST(InkDots, ThatCannotBeAreRefused) {
     EXPECT_EQ(refused({{&field, 5}}), "accepted");
 }
 
-class Impatient : public Observer {
-public:
-    explicit Impatient(int looks) : looks_(looks) {}
-    bool keep_going(const Progress&) override { return looks_-- > 0; }
-
-private:
-    int looks_;
-};
-
-TEST(InkDots, CanBeCancelledAtAnyLook) {
-    const Picture picture = pictures()[0];
-    for (int looks = 0; looks < 20; ++looks) {
-        Impatient impatient(looks);
-        EXPECT_THROW(place_inks(picture.parts(), 0, picture.options, impatient), Cancelled);
-    }
-}
-
 }  // namespace lacuna::relaxing::tests

@@ -6,7 +6,6 @@
 #include <lacuna/verify.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -150,19 +149,12 @@ protected:
     Joined kept_;
 };
 
-TEST_F(AChunk, BeginsWithTheKeptPointsOfTheDomainAndHasNoOthers) {
-    const Result set = sample(request());
-    EXPECT_EQ(set.points[0], (Point{0.5, 0.5}));
-    EXPECT_EQ(set.points[1], (Point{0, 0.25}));
-    for (const Point& point : set.points) EXPECT_TRUE(Domain{}.holds(point));
-    EXPECT_EQ(std::count(kept_.points.begin(), kept_.points.end(), Point{0, 0.25}), 1);
-    EXPECT_TRUE(proof_of(request(), set).maximal);
-}
-
 TEST_F(AChunk, OfALimitOrACountHasAsManyPointsOfItsOwn) {
     Request limited = request();
     limited.limit = 7;
     const Result seven = sample(limited);
+    EXPECT_EQ(seven.points[0], (Point{0.5, 0.5}));
+    EXPECT_EQ(seven.points[1], (Point{0, 0.25}));
     EXPECT_EQ(seven.points.size(), 7U);
     EXPECT_FALSE(seven.maximal);
     Request counted = request();
@@ -204,72 +196,20 @@ TEST_F(AChunk, IsRefutedWithoutANeighbourThatCoversASpot) {
     EXPECT_GT(refuted, 3U);
 }
 
-TEST_F(AChunk, IsRefutedWithANeighbourMovedNearer) {
-    const Result set = sample(request());
-    const auto is_left = [](Point a, Point b) { return a.x < b.x; };
-    const Point leftmost = *std::min_element(set.points.begin() + 2, set.points.end(), is_left);
-    std::vector<Point> moved = kept_.points;
-    moved.push_back({-0.001, leftmost.y});
-    ASSERT_LT(leftmost.x, 0.04);
-    Claim claim = claim_of(request(), set);
-    claim.keep = moved;
-    const Proof proof = prove(set.points, claim);
-    EXPECT_FALSE(proof.kept);
-    EXPECT_EQ(proof.second, set.points.size() + moved.size() - 1);
-    ASSERT_LT(proof.first, set.points.size() + moved.size());
-}
-
-TEST_F(AChunk, RefusesWhatCannotBeKeptOutside) {
-    const auto refusal = [&](Point point, const Mask* other) {
-        static constexpr std::uint8_t kFirst[] = {0};
-        const Mask wide{2, 1, {1, 0}};
-        Request request = uniform(0.05);
-        const std::vector<Point> keep{point};
-        request.keep = keep;
-        if (other != nullptr) {
-            request.classes = {.names = {"a", "b"}, .distances = {0.1, 0.1, 0.1, 0.1}};
-            request.classes.masks = {&wide, other};
-            request.keep_classes = kFirst;
-        }
-        return tests::refusal_of([&] { sample(request); });
-    };
-    const Mask wide{2, 1, {0, 1}}, high{1, 2, {1, 0}};
-    EXPECT_EQ(refusal({-0.5, 0.5}, nullptr), "accepted");
-    EXPECT_EQ(refusal({-1e300, 0.5}, nullptr), "accepted");
-    EXPECT_EQ(refusal({-0.5, 0.5}, &wide), "accepted");
-    EXPECT_EQ(refusal({-0.5, 0.5}, &high),
+TEST(ChunksOfClasses, RefusePointsOutsideOfMasksOfDifferentSizes) {
+    const Mask wide{2, 1, {1, 0}}, same{2, 1, {0, 1}}, high{1, 2, {1, 0}};
+    const std::vector<Point> keep{{-0.5, 0.5}};
+    const std::vector<std::uint8_t> first{0};
+    Request request;
+    request.keep = keep;
+    request.keep_classes = first;
+    request.classes = {.names = {"a", "b"}, .distances = {0.1, 0.1, 0.1, 0.1}};
+    request.classes.masks = {&wide, &same};
+    EXPECT_EQ(tests::refusal_of([&] { sample(request); }), "accepted");
+    request.classes.masks[1] = &high;
+    EXPECT_EQ(tests::refusal_of([&] { sample(request); }),
               "keep point 0 at (-0.5, 0.5): with masks of different sizes must lie in the domain, "
               "[0, 1] x [0, 1]");
-    EXPECT_NE(refusal({-std::numeric_limits<double>::infinity(), 0.5}, nullptr), "accepted");
-}
-
-TEST_F(AChunk, RefusesNeighboursThatAreTooCloseToEachOther) {
-    kept_.points.push_back({-0.01, 0.3});
-    kept_.points.push_back({-0.02, 0.3});
-    EXPECT_NE(tests::refusal_of([&] { sample(request()); }).find("must be at least 0.05"),
-              std::string::npos);
-}
-
-// The widest class keeps its border from the edges of the request's domain, wherever the points
-// outside are.
-TEST(ChunksOfClasses, MeasureBordersFromTheirOwnEdges) {
-    Request request = chunk_of_classes();
-    request.classes.borders = {0.2, 0.1, 0};
-    const std::vector<Point> keep{{-0.01, 0.5}, {0.5, 1.1}};
-    const std::vector<std::uint8_t> keep_classes{2, 0};
-    request.keep = keep;
-    request.keep_classes = keep_classes;
-    const Result set = sample(request);
-    std::array<double, 3> least{1, 1, 1};
-    for (std::size_t i = 0; i < set.points.size(); ++i) {
-        const Point at = set.points[i];
-        double& own = least[set.classes[i]];
-        own = std::min({own, at.x, at.y, 1 - at.x, 1 - at.y});
-    }
-    for (std::size_t kind = 0; kind < 3; ++kind) {
-        EXPECT_GE(least[kind], request.classes.borders[kind]) << kind;
-        EXPECT_LT(least[kind], request.classes.borders[kind] + 0.02) << kind;
-    }
 }
 
 // The domain, or a pixel of its mask, would have no unit of the grid that it shares with the points

@@ -11,7 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "judge/plane.h"
+#include "fields.h"
+#include "judge/judge.h"
 #include "refusal.h"
 
 namespace lacuna {
@@ -63,6 +64,19 @@ TEST(Progressive, HasKeptPointsFirst) {
     Request counted = progressive(50);
     counted.keep = twice;
     EXPECT_TRUE(tests::refusal_of([&] { sample(counted); }).starts_with("keep point 0"));
+}
+
+// At the radius of 16 points the ellipses would be longer than the torus.
+TEST(Progressive, BeginsAtALevelWhereEllipsesFitOnATorus) {
+    const Field field = tests::swirled(tests::constant_field(12, 12), 25);
+    Request request = progressive(1);
+    request.count.reset();
+    request.field = &field;
+    request.scale = 0.09;
+    const Result result = sample(request);
+    EXPECT_TRUE(result.maximal);
+    EXPECT_LE(result.levels.front().size, 0.1);
+    EXPECT_EQ(judge::Judge(request, result).fault(), "");
 }
 
 TEST(Progressive, IsCutWithinKeptPoints) {

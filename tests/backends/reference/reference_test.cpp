@@ -167,17 +167,6 @@ TEST_P(ReferenceInMode, ARadiusOfTheWholeDomainGivesOneSample) {
     EXPECT_EQ(sample(request).points.size(), 1u);
 }
 
-TEST_P(ReferenceInMode, CancelsWhenToldTo) {
-    class StopAtOnce : public Observer {
-        bool keep_going(const Progress& progress) override {
-            EXPECT_LE(progress.rounds, 1u);
-            EXPECT_GE(progress.expected_points, progress.points);
-            return false;
-        }
-    } observer;
-    EXPECT_THROW(sample(request_of(GetParam(), 0.01), observer), Cancelled);
-}
-
 INSTANTIATE_TEST_SUITE_P(Each, ReferenceInMode, testing::Values(Mode::exact, Mode::lines),
                          [](const auto& test) { return std::string(name_of(test.param)); });
 
