@@ -194,16 +194,4 @@ TEST(Backends, WithoutDevicesRefuseTheNameOfOne) {
     }
 }
 
-TEST(Backends, TheEnvironmentChoosesWhenTheRequestDoesNot) {
-    Request request;
-    request.radius = 0.1;
-    setenv("LACUNA_BACKEND", "reference", 1);
-    EXPECT_EQ(sample(request).backend, "reference");
-    request.place.backend = "cpu";
-    EXPECT_EQ(sample(request).backend, "cpu");
-    unsetenv("LACUNA_BACKEND");
-    request.place.backend = "auto";
-    EXPECT_EQ(sample(request).backend, "cpu");
-}
-
 }  // namespace
