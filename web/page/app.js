@@ -1,5 +1,5 @@
 // The page: turns its controls into requests, and shows and saves the results.
-import { Cancelled, Engine } from "./engine.js";
+import { Cancelled, Engine, fetched } from "./engine.js";
 import { asPdf, asPng, drawn, save } from "./files.js";
 import { hasBlack, InkList } from "./inks.js";
 import { changed, Cropper, readPicture } from "./picture.js";
@@ -318,14 +318,15 @@ async function take(blob, name) {
     steps.take();
 }
 
-async function fetched(name) {
-    const response = await fetch(name);
-    if (!response.ok) throw new Error(`${name}: the server says ${response.status}`);
-    return response;
+// An example is fetched once, when the page starts: the page needs no server later.
+const examples = {};
+
+async function example(name) {
+    return examples[name] ??= await (await fetched(name)).blob();
 }
 
 async function takeExample(name, inks) {
-    const blob = await fetched(name).then((response) => response.blob()).catch(complain);
+    const blob = await example(name).catch(complain);
     if (!blob) return;
     $("ink-kind").value = inks;
     update();
@@ -499,26 +500,21 @@ function listen() {
     $("save-picture").addEventListener("click", async () => save(await asPng(picture.canvas), picture.commandName));
 }
 
-async function compiled() {
-    const bytes = await (await fetched("lacuna.wasm")).arrayBuffer();
-    return WebAssembly.compile(bytes).catch((error) => {
-        throw new Error(`this browser cannot run Lacuna, which needs WebAssembly with SIMD and exceptions: ${error.message}`);
-    });
-}
-
 async function start() {
     listen();
     document.body.classList.add("at-rest");
     try {
-        const [module, response] = await Promise.all([compiled(), fetch("raccoon.png")]);
-        engine = new Engine(module, (share) => ($("progress").value = share));
+        const loading = [Engine.load((share) => ($("progress").value = share)), example("raccoon.png")];
+        example("hopper.jpg").catch(() => {}); // a click on it says what failed
+        const [loaded, raccoon] = await Promise.all(loading);
+        engine = loaded;
         engine.forgotten = () => ((sent = null), (held = ""));
         if (whole) schedule(); // given by the user meanwhile
         else {
             const text = location.hash.slice(1), all = new URLSearchParams(text);
             recall(text);
             keepsCrop = true; // both of the raccoon and of the picture that is given next
-            await take(await response.blob(), "raccoon.png");
+            await take(raccoon, "raccoon.png");
             keepsCrop = [...all.keys()].some((name) => /^(turn|crop-)/.test(name));
             if (all.get("kind") === "sample") select("sample");
             steps.begin();

@@ -1,5 +1,4 @@
 // What the page's worker and the npm package ask of the module.
-"use strict";
 
 function verbsOf(lacuna) {
     function fail() {

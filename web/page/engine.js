@@ -3,9 +3,32 @@
 
 export class Cancelled extends Error {}
 
+export async function fetched(name) {
+    const response = await fetch(name);
+    if (!response.ok) throw new Error(`${name}: the server says ${response.status}`);
+    return response;
+}
+
+// The module, and the address of the workers' script. As a blob it needs no server when a worker is
+// started later, and the page's Content-Security-Policy holds in the worker, too.
+async function loaded() {
+    const texts = ["calls.js", "worker.js", "lacuna.js"].map(async (name) => (await fetched(name)).text());
+    const wasm = fetched("lacuna.wasm").then((response) => response.arrayBuffer());
+    const [bytes, ...parts] = await Promise.all([wasm, ...texts]);
+    const module = await WebAssembly.compile(bytes).catch((error) => {
+        throw new Error(`this browser cannot run Lacuna, which needs WebAssembly with SIMD and exceptions: ${error.message}`);
+    });
+    return [module, URL.createObjectURL(new Blob(parts, { type: "text/javascript" }))];
+}
+
 export class Engine {
-    constructor(module, onShare) {
+    static async load(onShare) {
+        return new Engine(...await loaded(), onShare);
+    }
+
+    constructor(module, script, onShare) {
         this.module = module;
+        this.script = script;
         this.onShare = onShare;
         this.waiting = new Map();
         this.next = 1;
@@ -14,7 +37,7 @@ export class Engine {
     }
 
     start() {
-        const worker = new Worker("worker.js");
+        const worker = new Worker(this.script);
         worker.onmessage = ({ data }) => this.take(worker, data);
         worker.onerror = (event) => this.drop(new Error(event.message || "the worker failed"));
         worker.postMessage({ module: this.module });

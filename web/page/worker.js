@@ -1,35 +1,32 @@
 // Runs Lacuna for the page: takes one request at a time and sends its progress and its result.
-"use strict";
-importScripts("calls.js");
+// engine.js puts calls.js before this and lacuna.js, which cannot be strict, after it.
 
 let verbs = null;
 let current = 0; // the id of the current request
 let told = 0; // when progress was last sent, in ms
 
 const started = new Promise((resolve) => {
-    self.addEventListener("message", function first({ data }) {
-        self.removeEventListener("message", first);
-        // Requests may come before the module is ready.
-        self.addEventListener("message", (event) => started.then(() => serve(event.data)));
-        self.Module = {
-            instantiateWasm(imports, done) {
+    self.Module = {
+        instantiateWasm(imports, done) {
+            self.addEventListener("message", ({ data }) => {
+                // Requests may come before the module is ready.
+                self.addEventListener("message", (event) => started.then(() => serve(event.data)));
                 WebAssembly.instantiate(data.module, imports).then((instance) => done(instance));
-                return {};
-            },
-            onRuntimeInitialized() {
-                verbs = verbsOf(self.Module);
-                resolve();
-                postMessage({ ready: true });
-            },
-            tell(share) {
-                const now = performance.now();
-                if (now - told < 50) return;
-                told = now;
-                postMessage({ id: current, share });
-            },
-        };
-        importScripts("lacuna.js");
-    });
+            }, { once: true });
+            return {};
+        },
+        onRuntimeInitialized() {
+            verbs = verbsOf(self.Module);
+            resolve();
+            postMessage({ ready: true });
+        },
+        tell(share) {
+            const now = performance.now();
+            if (now - told < 50) return;
+            told = now;
+            postMessage({ id: current, share });
+        },
+    };
 });
 
 function serve({ id, verb, options }) {

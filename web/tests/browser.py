@@ -25,9 +25,19 @@ class Handler(http.server.SimpleHTTPRequestHandler):
     def log_message(self, *_):
         pass
 
+    def end_headers(self):
+        self.send_header("Cache-Control", "no-store")
+        super().end_headers()
+
+    def do_GET(self):
+        if self.server.unanswered is None:
+            return super().do_GET()
+        self.server.unanswered.append(self.path)
+
 
 class Server(http.server.ThreadingHTTPServer):
     request_queue_size = 128  # the default of 5 may be too few on a busy machine
+    unanswered = None  # in place of None a list, when it answers nothing more
 
 
 class Browser:
@@ -54,6 +64,7 @@ class Browser:
         shutil.rmtree(self.folder)
 
     def open(self):
+        self.server.unanswered = None
         self.driver.get(self.address)
         self.wait_for("done")
 
@@ -110,7 +121,6 @@ class Browser:
             document.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data }));""",
                  name, base64.b64encode(content).decode())
 
-    # The image in the view, to find out whether it has changed.
     # What the view shows once what was asked for is painted, in the next frame but one.
     def looks(self):
         return self.run("""return new Promise((resolve) => requestAnimationFrame(() =>
@@ -143,6 +153,12 @@ class Browser:
                     for entry in self.driver.get_log("performance"))
         return [message["params"]["request"]["url"] for message in messages
                 if message["method"] == "Network.requestWillBeSent"]
+
+    # Begins work of a minute, which no test waits for.
+    def begin_long_work(self):
+        self.run("delete document.documentElement.dataset.state")
+        self.set("count", "1000000")
+        self.until(lambda: self.element("progress").get_property("value") > 0, "some progress")
 
     @contextlib.contextmanager
     def screen(self, width, height, scheme):

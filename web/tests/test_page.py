@@ -236,20 +236,13 @@ class PageTest(PageCase):
     def test_a_request_that_comes_before_its_worker_is_ready_is_answered(self):
         answer = self.browser.driver.execute_async_script("""
             const done = arguments[arguments.length - 1];
-            fetch("lacuna.wasm").then((response) => response.arrayBuffer())
-                .then((bytes) => WebAssembly.compile(bytes)).then((module) => {
-                    const worker = new Worker("worker.js");
-                    worker.onmessage = ({ data }) => data.id === 7 && done(data.error);
-                    worker.postMessage({ module });
-                    worker.postMessage({ id: 7, verb: "no such verb", options: {} });
-                });""")
+            import("/engine.js").then(({ Engine }) => Engine.load())
+                .then((engine) => engine.ask("no such verb", {})).catch((error) => done(error.message));""")
         self.assertIn("not a function", answer)
 
     def test_cancel_ends_the_work_and_leaves_the_page_ready(self):
         page = self.browser
-        page.run("delete document.documentElement.dataset.state")
-        page.set("count", "250000")
-        page.until(lambda: page.element("progress").get_property("value") > 0, "some progress")
+        page.begin_long_work()
         taken = page.run("""const begin = performance.now();
             document.getElementById('cancel').click();
             return new Promise((resolve) => requestAnimationFrame(function look() {
