@@ -154,7 +154,7 @@ class Browser:
         return [message["params"]["request"]["url"] for message in messages
                 if message["method"] == "Network.requestWillBeSent"]
 
-    # Begins work of a minute, which no test waits for.
+    # Begins work that lasts far longer than the test that ends it.
     def begin_long_work(self):
         self.run("delete document.documentElement.dataset.state")
         self.set("count", "1000000")

@@ -9,20 +9,28 @@ import tempfile
 import unittest
 import zlib
 
+from selenium.webdriver.common.action_chains import ActionChains
+
 from browser import LACUNA, ROOT, Browser
 
+# A script's pixels that the view shows, and the sides of it.
+SHOWN = """const copy = document.createElement('canvas'), view = document.getElementById('view');
+    const [width, height] = [copy.width, copy.height] = [view.width, view.height];
+    const context = copy.getContext('2d', { willReadFrequently: true });
+    context.drawImage(view, 0, 0);
+    const data = context.getImageData(0, 0, width, height).data;"""
 RACCOON = (ROOT / "examples" / "raccoon.png").read_bytes()
 
 
-def png(columns, rows, channels, pixel):
-    """The bytes of a PNG whose sample is pixel(column, row, channel)."""
+def png(columns, rows, channels, pixel, depth=8):
+    """The bytes of a PNG whose sample is pixel(column, row, channel); a 16-bit one has these bytes twice."""
     def chunk(kind, data):
         body = kind + data
         return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))
-    lines = b"".join(b"\0" + bytes(pixel(x, y, c) for x in range(columns) for c in range(channels))
+    lines = b"".join(b"\0" + bytes(pixel(x, y, c) for x in range(columns) for c in range(channels) for _ in range(depth // 8))
                      for y in range(rows))
     colour = {1: 0, 3: 2, 4: 6}[channels]
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", columns, rows, 8, colour, 0, 0, 0))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", columns, rows, depth, colour, 0, 0, 0))
             + chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b""))
 
 
@@ -61,6 +69,20 @@ class PageCase(unittest.TestCase):
         self.assertEqual(hashlib.sha256(saved).hexdigest(), hashlib.sha256(made).hexdigest(),
                          f"{shlex.join(command)}: {len(saved)} bytes from the page, {len(made)} from the command")
 
+    def pressed(self, *keys):
+        """Presses keys together, wherever the focus is."""
+        actions = ActionChains(self.browser.driver)
+        for press in (actions.key_down, actions.key_up):
+            for key in keys:
+                press(key)
+        actions.perform()
+
+    def command(self):
+        return self.browser.text("command")
+
+    def can(self, button):
+        return self.browser.element(button).get_attribute("aria-disabled") == "false"
+
     def refused(self, change):
         self.browser.after(change, "failed")
         error = self.browser.element("error")
@@ -69,12 +91,7 @@ class PageCase(unittest.TestCase):
 
     def brightness(self):
         """The mean number of what the view shows, 0 to 1."""
-        return self.browser.run("""const view = document.getElementById('view');
-            const copy = document.createElement('canvas');
-            [copy.width, copy.height] = [view.width, view.height];
-            const context = copy.getContext('2d', { willReadFrequently: true });
-            context.drawImage(view, 0, 0);
-            const data = context.getImageData(0, 0, copy.width, copy.height).data;
+        return self.browser.run(SHOWN + """
             let all = 0, sum = 0;
             for (let i = 0; i < data.length; i += 4) {
                 if (data[i + 3] !== 255) continue;

@@ -12,24 +12,8 @@ from page_case import PageCase, png
 
 
 class SettingsTest(PageCase):
-    def pressed(self, *keys):
-        """Presses keys together, wherever the focus is."""
-        actions = ActionChains(self.browser.driver)
-        for key in keys[:-1]:
-            actions.key_down(key)
-        actions.send_keys(keys[-1])
-        for key in keys[:-1]:
-            actions.key_up(key)
-        actions.perform()
-
     def clicked(self, name):
         self.browser.after(lambda: self.browser.element(name).click())
-
-    def command(self):
-        return self.browser.text("command")
-
-    def can(self, button):
-        return self.browser.element(button).get_attribute("aria-disabled") == "false"
 
     def colour(self, row, colour):
         """Picks a colour of the ink in this row of the list."""
