@@ -21,7 +21,7 @@ void write_points(const std::string& path, std::span<const Point> points, const 
 std::string encode_points(std::span<const Point> points, std::string_view format,
                           const About& about) {
     const files::Format* const known = files::find_format(format);
-    if (known == nullptr || known->encode == nullptr)
+    if (known == nullptr)
         throw BadRequest("format", std::string(format),
                          "must be one of " + files::written_extensions());
     return encode(points, *known, about);

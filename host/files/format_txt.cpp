@@ -39,7 +39,8 @@ bool is_bare_separator(std::string_view line) {
     return line.empty();
 }
 
-// Looks for a line that UTK would take for the end of a set: a .txt file can hold only one set.
+// Looks for a line that ends a set in files of UTK, the Uni(corn|form) tool kit: a .txt file can
+// hold only one set.
 class Separator {
 public:
     void see(std::string_view line, std::size_t number, bool has_points) {
@@ -48,8 +49,8 @@ public:
     void refuse_before_point(const std::string& name) const {
         if (at_ != 0)
             refuse(fmt::format("{}:{}", name, at_),
-                   "a line of # alone ends a set in a .dat file and is skipped in a .txt: name the "
-                   "file .dat if several sets are in it, else take the line out");
+                   "a line of # alone ends a set in files of UTK, but a .txt holds one set: give a "
+                   "file for each set, or take the line out if they are one");
     }
 
 private:

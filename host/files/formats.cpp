@@ -29,8 +29,6 @@ SetsOfFile decode_csv(std::string_view bytes, const std::string& name);
 SetsOfFile decode_npy(std::string_view bytes, const std::string& name);
 SetsOfFile decode_ply(std::string_view bytes, const std::string& name);
 SetsOfFile decode_json(std::string_view bytes, const std::string& name);
-SetsOfFile decode_dat(std::string_view bytes, const std::string& name);
-SetsOfFile decode_rps(std::string_view bytes, const std::string& name);
 
 namespace {
 
@@ -41,14 +39,12 @@ std::string draw(const PointSet& set) {
 
 using drawing::Medium;
 
-constexpr std::array<Format, 10> kFormats{{
+constexpr std::array<Format, 8> kFormats{{
     {".txt", encode_txt, decode_txt, std::nullopt, false},
     {".csv", encode_csv, decode_csv},
     {".npy", encode_npy, decode_npy},
     {".ply", encode_ply, decode_ply},
     {".json", encode_json, decode_json},
-    {".dat", nullptr, decode_dat},
-    {".rps", nullptr, decode_rps},
     {".svg", draw<Medium::svg>, nullptr, Medium::svg},
     {".pdf", draw<Medium::pdf>, nullptr, Medium::pdf},
     {".png", draw<Medium::png>, nullptr, Medium::png},
@@ -94,7 +90,7 @@ const Format* find_format_of(const std::string& path) {
 
 const Format& format_of(const std::string& path) {
     const Format* const format = path == "-" ? find_format("txt") : find_format_of(path);
-    if (format == nullptr || format->encode == nullptr)
+    if (format == nullptr)
         throw BadRequest("output", path, "the extension must be one of " + written_extensions());
     return *format;
 }
@@ -107,7 +103,7 @@ std::string extensions(const std::function<bool(const Format&)>& is_wanted) {
 }
 
 std::string written_extensions() {
-    return extensions([](const Format& format) { return format.encode != nullptr; });
+    return extensions([](const Format&) { return true; });
 }
 
 std::string read_extensions() {
@@ -115,9 +111,7 @@ std::string read_extensions() {
 }
 
 std::string column_extensions() {
-    return extensions([](const Format& format) {
-        return format.encode != nullptr && !format.medium && format.has_columns;
-    });
+    return extensions([](const Format& format) { return !format.medium && format.has_columns; });
 }
 
 std::string picture_extensions() {

@@ -16,9 +16,8 @@ struct PointSet;
 struct SetsOfFile;
 
 struct Format {
-    std::string_view extension;  // with its dot, in lower case
-    // Returns the bytes of a file; null for a format that is only read.
-    std::string (*encode)(const PointSet& set) = nullptr;
+    std::string_view extension;                  // with its dot, in lower case
+    std::string (*encode)(const PointSet& set);  // returns the bytes of a file
     // Returns the sets in the file called `name`; null for a format that is only written.
     SetsOfFile (*decode)(std::string_view bytes, const std::string& name) = nullptr;
     // Set if the format is a picture, which can be written but not read.

@@ -1,5 +1,5 @@
-// Reads files that hold one or several point sets, and what they say about the domain: this
-// program's formats, and formats of other programs that analyse point sets.
+// Reads point files, and what they say about the domain: this program's formats, as this program
+// and others write them.
 #pragma once
 
 #include <fmt/core.h>
@@ -69,14 +69,12 @@ struct SetsOfFile {
 //   json  {"points": [[x, y], ...], ...} or the array alone
 // A third coordinate (a column z, or a third number in npy and json) must be the same for all
 // points, and is dropped.
-//   rps   PSA's binary files: x y x y ... as float32, little-endian
-//   dat   UTK's text files: `x y` or `x<TAB>y` on each line; a line that begins with # ends a set
-// PSA is Schloemer & Deussen's point set analysis, UTK the Uni(corn|form) tool kit.
-// Ambiguous files are refused: a .txt file with a bare # on a line between points (the end of a set
-// for UTK, a comment here), or whose count differs from the number of points. NaN, infinity and
-// pictures are refused, too. A set may be empty only if the whole file has no point.
-// Throws FileError with one line: the file, the position in it, what was found and what was
-// expected.
+// PSA is Schloemer & Deussen's point set analysis.
+// Ambiguous files are refused: a .txt file with a bare # on a line between points (in files of
+// UTK, the Uni(corn|form) tool kit, the end of a set), or whose count differs from the number of
+// points. NaN, infinity and pictures are refused, too. A set may be empty only if the whole file
+// has no point. Throws FileError with one line: the file, the position in it, what was found and
+// what was expected.
 SetsOfFile read_sets(const std::string& path);
 
 // The same for the bytes of a file. `name` stands for the file in messages.

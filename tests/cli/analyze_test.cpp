@@ -95,24 +95,19 @@ TEST(Analyze, WritesTheSameNumbersAsJsonWithTheirUnits) {
     EXPECT_EQ(json["bond_orientational_order"]["points"], 400);
 }
 
-TEST(Analyze, AveragesSeveralFilesAndSeveralSetsOfOne) {
+TEST(Analyze, AveragesSeveralFiles) {
     const Folder folder;
-    const std::string path = folder.path("a.txt");
-    std::string sets;
     Words words{"analyze", "--torus"};
     for (int seed = 0; seed < 4; ++seed) {
         const std::string name = folder.path(std::to_string(seed) + ".txt");
         expect_success(
             {"sample", "--radius", "0.04", "--torus", "--seed", std::to_string(seed), "-o", name});
-        sets += content_of(name) + "#\n";
         words.push_back(name);
     }
-    write_file(folder.path("all.dat"), sets);
     const Outcome from_files = run(words);
     EXPECT_EQ(from_files.exit_code, 0);
     expect_has(line_of(from_files.out, "sets"), {" 4"});
     expect_has(line_of(from_files.out, "points a set"), {" to ", "mean "});
-    EXPECT_EQ(run({"analyze", "--torus", folder.path("all.dat")}).out, from_files.out);
     EXPECT_NE(run({"analyze", "--torus", folder.path("0.txt")}).out, from_files.out);
 }
 

@@ -78,7 +78,6 @@ TEST(Columns, OfClassesInksAndEllipsesAreRefusedWhereAFormatHasNoPlaceForThem) {
     PointSet inks = classes;
     inks.layers_are = LayersAre::inks;
     for (const Format& format : formats()) {
-        if (format.encode == nullptr) continue;
         for (const PointSet& set : {classes, inks, set_of_ellipses()})
             if (format.has_columns) {
                 EXPECT_NO_THROW(encode(set, format)) << format.name();

@@ -38,7 +38,7 @@ TEST(EncodePoints, TakesFormatsByNameAndTheDomain) {
               0U);
     EXPECT_NE(encode_points(kPoints, "svg", {{2, 1}, 0.5}).find("height=\"256pt\""),
               std::string::npos);
-    EXPECT_THROW(encode_points(kPoints, "dat"), BadRequest);  // only read
+    EXPECT_THROW(encode_points(kPoints, "dat"), BadRequest);
 }
 
 }  // namespace public_test

@@ -15,7 +15,7 @@ namespace lacuna::files {
 inline std::vector<Format> readable() {
     std::vector<Format> both;
     for (const Format& format : formats())
-        if (format.encode != nullptr && format.decode != nullptr) both.push_back(format);
+        if (format.decode != nullptr) both.push_back(format);
     return both;
 }
 

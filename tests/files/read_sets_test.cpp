@@ -1,12 +1,8 @@
-// Given files of this program, of PSA and of UTK, their sets are read; ambiguous files are refused.
+// Given files of this program and of PSA, their sets are read; ambiguous files are refused.
 #include "files/read_sets.h"
 
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -95,61 +91,19 @@ TEST_F(ReadSets, OfPsasTextFilesWithAnotherCountAreRefused) {
               R"(2: "1" must be two finite numbers, such as 0.25 0.75)");
 }
 
-std::string little_endian_floats(const std::vector<float>& values) {
-    std::string bytes;
-    for (const float value : values) {
-        const auto bits = std::bit_cast<std::uint32_t>(value);
-        for (unsigned shift = 0; shift < 32; shift += 8)
-            bytes += static_cast<char>((bits >> shift) & 0xffU);
-    }
-    return bytes;
-}
-
-TEST_F(ReadSets, OfPsasBinaryFilesArePairsOfFloats) {
-    const auto file = read("a.rps", little_endian_floats({0.25F, 0.5F, 0.1F, 0.875F}));
-    ASSERT_EQ(file.sets.size(), 1U);
-    EXPECT_EQ(file.sets[0], (Points{{0.25, 0.5}, {double{0.1F}, 0.875}}));
-}
-
-TEST_F(ReadSets, OfPsasBinaryFilesCutShortOrWithoutNumbersAreRefused) {
-    EXPECT_EQ(refusal("a.rps", little_endian_floats({0.25F, 0.5F, 0.1F})),
-              " 12 bytes: must be a multiple of 8, x and y as float32");
-    EXPECT_EQ(refusal("a.rps", little_endian_floats({0.25F, NAN})),
-              " point 0 is (0.25, nan): both must be finite numbers");
-}
-
-TEST_F(ReadSets, OfUtksFilesAreSeparatedByLinesOfHashes) {
-    const auto file = read(
-        "a.dat", "# made by a program\n0.25\t0.5\n0.125\t0.001\n#\n0.75 0.875\n\n0.5 0.5\n#\n");
-    ASSERT_EQ(file.sets.size(), 2U);
-    EXPECT_EQ(file.sets[0], (Points{{0.25, 0.5}, {0.125, 0.001}}));
-    EXPECT_EQ(file.sets[1], (Points{{0.75, 0.875}, {0.5, 0.5}}));
-    EXPECT_EQ(read("b.dat", "0.25 0.5\n").sets.size(), 1U);
-    EXPECT_EQ(read("c.dat", "#\n#\n0.25 0.5\n#\n#\n0.5 0.5\n#\n#\n").sets.size(), 2U);
-    // No point at all is one empty set.
-    EXPECT_EQ(read("d.dat", "").sets, std::vector<Points>(1));
-}
-
-TEST_F(ReadSets, OfUtksFilesOfOtherDimensionsAreRefused) {
-    EXPECT_EQ(refusal("a.dat", "0.25 0.5\n0.25 0.5 0.75\n"),
-              R"(2: "0.25 0.5 0.75" must be two finite numbers, such as 0.25 0.75)");
-    EXPECT_EQ(refusal("a.dat", "2\n0.25 0.5\n0.25 0.75\n"),
-              R"(1: "2" must be two finite numbers, such as 0.25 0.75)");
-}
-
 TEST_F(ReadSets, OfATextFileThatCouldHoldSeveralAreRefused) {
     EXPECT_EQ(refusal("a.txt", "0.25 0.5\n#\n0.5 0.5\n").substr(0, 3), "2: ");
-    EXPECT_NE(refusal("a.txt", "0.25 0.5\n # \n\n0.5 0.5\n").find(".dat"), std::string::npos);
+    EXPECT_NE(refusal("a.txt", "0.25 0.5\n # \n\n0.5 0.5\n").find("a file for each set"),
+              std::string::npos);
     // Words behind the #, and a # before or after all points, are comments.
     EXPECT_EQ(read("a.txt", "#\n0.25 0.5\n# word\n0.125 0.001\n0.75 0.875\n#\n").sets[0], kThree);
 }
 
 TEST_F(ReadSets, OfAnUnknownFormatAreRefusedWithAllThatAreKnown) {
-    EXPECT_EQ(
-        refusal("a.xyz", ""),
-        " not a point file: the extension must be one of .txt .csv .npy .ply .json .dat .rps");
+    EXPECT_EQ(refusal("a.xyz", ""),
+              " not a point file: the extension must be one of .txt .csv .npy .ply .json");
     EXPECT_NE(refusal("a.svg", "").find("a picture"), std::string::npos);
-    EXPECT_THROW(read_sets(path("missing.dat")), FileError);
+    EXPECT_THROW(read_sets(path("missing.csv")), FileError);
 }
 
 }  // namespace read_sets_test

@@ -41,7 +41,6 @@ Examples:
   lacuna analyze a.json --json                      all numbers on standard output
   lacuna analyze set*.txt --radius 0.01 --torus     the mean of many sets
   lacuna sample --radius 0.01 | lacuna analyze - --radius 0.01
-  lacuna analyze sets.dat other.rps                 files of the tools UTK and PSA
 
 Power is P(k) = |sum of exp(-2 pi i k.x)|^2 / count at whole numbers k, or at (kx / W, ky / H) if
 the domain is not the unit square. Its mean is taken over rings of width 2, for |k| up to 2
@@ -51,8 +50,8 @@ the effective Nyquist frequency, in units of sqrt(count) / 2, and oscillations s
 Deussen 2013; for the bond order of the six nearest neighbours see Nelson & Halperin 1979. A million
 points take seconds and about 400 MB.
 
-A .txt has `x y` on each line; its first line may be the count, as in files of PSA. In a .dat a line
-with # ends a set. The domain, boundary and radius in a .json are used unless an option gives them.
+A .txt has `x y` on each line; its first line may be the count, as in files of PSA. The domain,
+boundary and radius in a .json are used unless an option gives them.
 
 Exit code: 0 done, 2 bad usage, 3 a file cannot be read or written, 4 the system refuses threads,
 130 interrupted (143 by SIGTERM).

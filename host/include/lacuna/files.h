@@ -48,8 +48,8 @@ void write_points(const std::string& path, std::span<const Point> points, const 
 std::string encode_points(std::span<const Point> points, std::string_view format,
                           const About& about = {});
 
-// The points of a file that holds one set: .txt .csv .npy .ply .json, PSA's .rps or UTK's .dat. "-"
-// is standard input, as .txt. Throws FileError.
+// The points of a file: .txt .csv .npy .ply .json. "-" is standard input, as .txt. Throws
+// FileError.
 std::vector<Point> read_points(const std::string& path);
 
 }  // namespace lacuna
