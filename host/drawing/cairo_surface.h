@@ -49,4 +49,8 @@ inline cairo_status_t append_to_string(void* closure, const unsigned char* data,
     }
 }
 
+// The bytes of a PNG file: grey if the surface has only alpha (A8), where opaque is white, else in
+// colour (RGB24). Defined in png.cpp.
+std::string png_of(cairo_surface_t* image, double pixels_per_inch);
+
 }  // namespace lacuna::drawing

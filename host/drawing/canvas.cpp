@@ -15,7 +15,6 @@
 #include "drawing/cairo_surface.h"
 #include "drawing/canvas_svg.h"
 #include "drawing/picture.h"
-#include "drawing/png.h"
 
 namespace lacuna::drawing {
 namespace {
@@ -191,13 +190,6 @@ private:
 };
 
 }  // namespace
-
-std::string png_of(const Image& image) {
-    std::string bytes;
-    check(cairo_surface_write_to_png_stream(surface_of(image).get(), drawing::append_to_string,
-                                            &bytes));
-    return bytes;
-}
 
 std::unique_ptr<Canvas> make_canvas(Medium medium, double width, double height) {
     if (medium == Medium::svg) return make_svg_canvas(width, height);

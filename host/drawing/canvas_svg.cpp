@@ -4,11 +4,15 @@
 #include <fmt/core.h>
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <span>
 #include <string>
 #include <string_view>
 
+#include "drawing/png.h"
 #include "drawing/xml.h"
 #include "files/point_files.h"
 
@@ -24,6 +28,14 @@ std::string base64_of(const std::string& bytes) {
                                        static_cast<int>(bytes.size()));
     letters.resize(static_cast<std::size_t>(length));
     return letters;
+}
+
+std::string png_of(const Image& image) {
+    const Png shape{.columns = static_cast<std::uint32_t>(image.width),
+                    .rows = static_cast<std::uint32_t>(image.height)};
+    return encode_png(shape, [&](std::size_t y, std::span<std::uint8_t> bytes) {
+        std::copy_n(&image.greys[y * bytes.size()], bytes.size(), bytes.begin());
+    });
 }
 
 std::string_view name_of(Anchor anchor) {

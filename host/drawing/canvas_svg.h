@@ -11,7 +11,4 @@ namespace lacuna::drawing {
 // gives other bytes; and its text is outlines, which nobody can search or edit.
 std::unique_ptr<Canvas> make_svg_canvas(double width, double height);
 
-// The bytes of the image as a PNG file. Throws files::FileError.
-std::string png_of(const Image& image);
-
 }  // namespace lacuna::drawing

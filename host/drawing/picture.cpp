@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "base/polling.h"
 #include "drawing/cairo_surface.h"
@@ -176,8 +178,8 @@ std::string draw_png(const files::PointSet& set, const Style& style) {
     const auto pixels = [](double side) {
         return std::max(1, static_cast<int>(std::lround(side)));
     };
-    // Cairo turns a surface that has only alpha into a grey PNG, which is a third as long. In it
-    // opaque is white, and clearing draws black.
+    // A surface that has only alpha becomes a grey PNG, which is a third as long. In it opaque is
+    // white, and clearing draws black.
     const bool is_grey = set.layers.empty() && style.paper_colour == kWhitePaper;
     const Surface surface = checked(cairo_image_surface_create(
         is_grey ? CAIRO_FORMAT_A8 : CAIRO_FORMAT_RGB24, pixels(page.width), pixels(page.height)));
@@ -198,20 +200,20 @@ std::string draw_png(const files::PointSet& set, const Style& style) {
 std::string draw_pixels(const files::PointSet& set) {
     const lacuna::Raster& raster = *set.on_pixels;
     const Domain& domain = set.domain;
-    const Surface surface = checked(cairo_image_surface_create(
-        CAIRO_FORMAT_A8, static_cast<int>(raster.columns), static_cast<int>(raster.rows)));
-    unsigned char* const pixels = cairo_image_surface_get_data(surface.get());
-    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+    std::vector<std::uint8_t> pixels(std::size_t{raster.columns} * raster.rows);
     const auto place = [](double way, double side, std::uint32_t count) {
         return static_cast<std::size_t>(std::clamp(way / side * count, 0.0, count - 1.0));
     };
     for (const Point& point : set.points) {
         const Point way = domain.from_corner(point);
         const std::size_t row = raster.rows - 1 - place(way.y, domain.height, raster.rows);
-        pixels[row * stride + place(way.x, domain.width, raster.columns)] = 255;
+        pixels[row * raster.columns + place(way.x, domain.width, raster.columns)] = 255;
     }
-    cairo_surface_mark_dirty(surface.get());
-    return png_of(surface.get(), kPointsPerInch);
+    return encode_png(
+        {.columns = raster.columns, .rows = raster.rows, .pixels_per_inch = kPointsPerInch},
+        [&](std::size_t y, std::span<std::uint8_t> bytes) {
+            std::copy_n(&pixels[y * bytes.size()], bytes.size(), bytes.begin());
+        });
 }
 
 }  // namespace

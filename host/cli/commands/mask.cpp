@@ -22,7 +22,7 @@
 #include "cli/reports/output.h"
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/run_program.h"
-#include "pictures/grey_png.h"
+#include "drawing/png.h"
 #include "recipes/read.h"
 
 namespace lacuna::cli {
@@ -76,6 +76,19 @@ std::vector<std::uint16_t> numbers_of(const ThresholdMask& mask, unsigned bits) 
     return numbers;
 }
 
+// The bytes of a grey PNG.
+std::string encoded(const Raster& sides, unsigned bits, std::span<const std::uint16_t> numbers) {
+    return drawing::encode_png(
+        {.columns = sides.columns, .rows = sides.rows, .bits = bits},
+        [&](std::size_t y, std::span<std::uint8_t> bytes) {
+            std::size_t at = 0;
+            for (const std::uint16_t number : numbers.subspan(y * sides.columns, sides.columns)) {
+                if (bits == 16) bytes[at++] = static_cast<std::uint8_t>(number >> 8U);
+                bytes[at++] = static_cast<std::uint8_t>(number & 0xffU);
+            }
+        });
+}
+
 // The paths of all frames, with the frame's number in place of {frame}: first those of frame 0.
 std::vector<std::string> paths_of_frames(const MaskCommand& options) {
     const std::vector<std::string>& paths = options.output.paths;
@@ -124,8 +137,7 @@ void run(const CommandLine& line, const MaskCommand& options) {
     Writing writing(interruption);
     for (std::size_t i = 0; i < outputs.size(); ++i)
         writing.add(outputs[i].path, [&, frame = i * mask.frames / outputs.size()] {
-            return pictures::grey_png(sides.columns, options.bits,
-                                      std::span(numbers).subspan(frame * pixels, pixels));
+            return encoded(sides, options.bits, std::span(numbers).subspan(frame * pixels, pixels));
         });
     writing.write();
     if (options.quiet || has_standard_output(outputs)) return;
