@@ -25,17 +25,20 @@ function(lacuna_embed_shader target file entry)
     target_include_directories(${target} PRIVATE ${folder})
 endfunction()
 
-# lacuna_embed_shaders(TARGET FILE...) embeds each of the shaders NAME.comp in this way, and gives
-# TARGET a header all_shaders.h that includes the headers of all.
-function(lacuna_embed_shaders target)
+# lacuna_embed_kernels_as_shaders(TARGET FILE...) writes for each kernel NAME.cl, which is GLSL as well,
+# a compute shader NAME.comp, and embeds it in this way. TARGET is given a header all_shaders.h that
+# includes the headers of all.
+function(lacuna_embed_kernels_as_shaders target)
+    set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_shaders)
     set(headers)
     foreach(file IN LISTS ARGN)
         cmake_path(GET file STEM name)
-        lacuna_embed_shader(${target} ${file} ${name})
+        file(CONFIGURE OUTPUT ${folder}/${name}.comp CONTENT
+            "#version 460\n#extension GL_GOOGLE_include_directive : require\n#include \"${name}.cl\"\n")
+        lacuna_embed_shader(${target} ${folder}/${name}.comp ${name})
         string(APPEND headers "#include \"${name}.spv.h\"\n")
     endforeach()
-    file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}_shaders/all_shaders.h
-        CONTENT "${headers}")
+    file(CONFIGURE OUTPUT ${folder}/all_shaders.h CONTENT "${headers}")
 endfunction()
 
 function(lacuna_add_vulkan)
@@ -50,8 +53,8 @@ function(lacuna_add_vulkan)
     find_program(SPIRV_VAL spirv-val)
     file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/host/backends/vulkan/*.cpp)
     target_sources(lacuna PRIVATE ${sources})
-    file(GLOB shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/shaders/*.comp)
-    lacuna_embed_shaders(lacuna ${shaders})
+    file(GLOB kernels CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/kernels/*.cl)
+    lacuna_embed_kernels_as_shaders(lacuna ${kernels})
     target_include_directories(lacuna SYSTEM PRIVATE ${VULKAN_RAII_INCLUDE_DIR})
     target_compile_definitions(lacuna PRIVATE LACUNA_VULKAN)
     set(LACUNA_HAS_VULKAN ON PARENT_SCOPE)

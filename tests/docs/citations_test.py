@@ -16,7 +16,7 @@ import sys
 import test_lines
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FOLDERS = "cmake docs examples host kernels python shaders tests web".split()
+FOLDERS = "cmake docs examples host kernels python tests web".split()
 CODE = {".cpp", ".h", ".cl", ".comp", ".py", ".sh", ".cmake", ".txt", ".js"}
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
 

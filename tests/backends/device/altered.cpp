@@ -96,7 +96,7 @@ bool includes(const std::string& text, const std::string& file) {
 
 // See cmake/vulkan.cmake.
 std::vector<std::uint32_t> compiled(const std::string& kernel, const fs::path& kernels) {
-    const fs::path shader = fs::path(LACUNA_SOURCE) / "shaders" / (kernel + ".comp");
+    const fs::path shader = fs::path(LACUNA_SHADERS) / (kernel + ".comp");
     const fs::path spirv = kernels / (kernel + ".spv");
     const std::string command = std::string("'") + LACUNA_GLSLANG +
                                 "' -V --target-env vulkan1.2 --quiet '-I" + kernels.string() +

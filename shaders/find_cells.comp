@@ -1,4 +1,0 @@
-// kernels/find_cells.cl as a compute shader in GLSL.
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#include "find_cells.cl"

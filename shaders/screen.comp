@@ -1,4 +1,0 @@
-// kernels/screen.cl as a compute shader in GLSL.
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#include "screen.cl"

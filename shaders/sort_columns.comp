@@ -1,4 +1,0 @@
-// kernels/sort_columns.cl as a compute shader in GLSL.
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#include "sort_columns.cl"
