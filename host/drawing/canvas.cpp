@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "drawing/cairo_surface.h"
-#include "drawing/canvas_svg.h"
 #include "drawing/picture.h"
 
 namespace lacuna::drawing {

@@ -76,4 +76,7 @@ public:
 // every call if the same fonts are installed. All errors are files::FileError with cairo's reason.
 std::unique_ptr<Canvas> make_canvas(Medium medium, double width, double height);
 
+// The canvas of an svg, which make_canvas() chooses.
+std::unique_ptr<Canvas> make_svg_canvas(double width, double height);
+
 }  // namespace lacuna::drawing

@@ -1,5 +1,8 @@
-// Writes SVG as text.
-#include "drawing/canvas_svg.h"
+// The canvas that writes SVG, as text.
+//
+// Cairo is not used for two reasons. It numbers the surfaces of the whole process, so a second call
+// gives other bytes; and its text is outlines, which nobody can search or edit.
+#include "drawing/canvas.h"
 
 #include <fmt/core.h>
 #include <openssl/evp.h>

@@ -1,6 +1,6 @@
 // Philox 4x32-10 (Salmon et al. 2011) for several counters at once, with AVX2 instructions through
 // Highway, which includes this file a second time: see base/highway_avx2.h.
-#include "rounds/random_avx2.h"
+#include "rounds/random_run.h"
 
 #if defined(__x86_64__)
 

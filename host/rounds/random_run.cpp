@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "rounds/random_avx2.h"
-
 namespace lacuna {
 namespace {
 

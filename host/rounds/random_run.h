@@ -20,6 +20,9 @@ struct RandomRun {
 // The versions that this processor can run, the fastest first; the last one is plain C++.
 std::span<const RandomRun* const> all_random_runs();
 
+// Null if the processor has no AVX2.
+const RandomRun* avx2_random_run();
+
 inline void random_run(std::uint64_t seed, std::uint64_t first, std::span<RandomBits> run) {
     static const RandomRun& fastest = *all_random_runs().front();
     fastest.fill(seed, first, run);

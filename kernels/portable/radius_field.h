@@ -1,4 +1,4 @@
-// The tables from which kernels read a radius field. backends/device/field_tables.h makes them.
+// The tables from which kernels read a radius field. backends/device/field_boxes.cpp makes them.
 #ifndef LACUNA_PORTABLE_RADIUS_FIELD_H
 #define LACUNA_PORTABLE_RADIUS_FIELD_H
 #include "types.h"

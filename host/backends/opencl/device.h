@@ -1,4 +1,5 @@
-// A device in use and its compiled kernels: one for the process, which all backends use.
+// The OpenCL devices of this machine; the device in use and its compiled kernels: one for the
+// process, which all backends use.
 #pragma once
 
 #include <condition_variable>
@@ -10,12 +11,21 @@
 #include <string_view>
 #include <vector>
 
+#include "backends/device/choice.h"
 #include "backends/device/queue.h"
 #include "backends/opencl/cl.h"
-#include "backends/opencl/devices.h"
 #include "backends/opencl/errors.h"
 
 namespace lacuna::opencl {
+
+// The device is null for the entry of a platform that has none.
+struct Found {
+    DeviceEntry entry;
+    cl::Device device;
+};
+
+// The device that a request names, see device::choose. Throws Unavailable.
+Found choose_device(const std::string& wanted);
 
 // At most one queue at a time, the one that has the turn, may have kernels under way. PoCL (3.1 and
 // others) compiles a kernel into one binary for small grids and one for large ones. When a kernel

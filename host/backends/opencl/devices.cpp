@@ -1,10 +1,10 @@
 // The OpenCL devices of this machine, and what Lacuna needs of them.
-#include "backends/opencl/devices.h"
-
 #include <algorithm>
 #include <mutex>
+#include <string>
+#include <vector>
 
-#include "backends/opencl/errors.h"
+#include "backends/opencl/device.h"
 #include "backends/opencl/opencl_backend.h"
 
 namespace lacuna::opencl {
@@ -68,8 +68,6 @@ std::vector<DeviceEntry> entries_of(const std::vector<Found>& all) {
     return entries;
 }
 
-}  // namespace
-
 std::vector<Found> find_devices() {
     const std::string forked = device::why_forked();
     if (!forked.empty()) return {without_device("OpenCL", forked)};
@@ -97,6 +95,8 @@ std::vector<Found> find_devices() {
     }
     return all;
 }
+
+}  // namespace
 
 Found choose_device(const std::string& wanted) {
     const std::vector<Found> all = find_devices();

@@ -3,8 +3,6 @@
 
 #include <vector>
 
-#include "relax/cpu/pulls_avx2.h"
-
 namespace lacuna::relaxing::cpu {
 namespace {
 

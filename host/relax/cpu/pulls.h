@@ -38,4 +38,7 @@ struct Puller {
 // What the processor can run, the fastest first; the last is plain C++.
 std::span<const Puller* const> all_pullers();
 
+// Null if the processor has no AVX2.
+const Puller* avx2_puller();
+
 }  // namespace lacuna::relaxing::cpu

@@ -1,6 +1,6 @@
 // The inner loop of the Gaussian energy with AVX2 instructions through Highway, which includes this
 // file a second time: see base/highway_avx2.h.
-#include "relax/cpu/pulls_avx2.h"
+#include "relax/cpu/pulls.h"
 
 #if defined(__x86_64__)
 
