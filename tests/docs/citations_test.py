@@ -16,8 +16,8 @@ import sys
 import test_lines
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FOLDERS = "cmake docs examples host kernels python tests web".split()
-CODE = {".cpp", ".h", ".cl", ".comp", ".py", ".sh", ".cmake", ".txt", ".js"}
+FOLDERS = "cmake docs examples host kernels python shaders tests web".split()
+CODE = {".cpp", ".h", ".cl", ".in", ".py", ".sh", ".cmake", ".txt", ".js"}
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
 
 # A page, after its folder or in a link; then perhaps sections; then perhaps a name in quotes.

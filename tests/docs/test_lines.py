@@ -11,7 +11,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CAPS = ROOT / "tests" / "caps.txt"
-CODE = "host kernels python/src python/lacuna web/page web/npm".split()
+CODE = "host kernels shaders python/src python/lacuna web/page web/npm".split()
 ALL = ("tests", "python/tests", "web/tests")
 NO_TEXT = {".npy", ".pyc", ".png", ".jpg"}
 PER_LINE = 0.35  # of code
