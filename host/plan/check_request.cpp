@@ -46,7 +46,7 @@ void check_round_size(const Request& request) {
     const std::string value = std::to_string(size);
     if (request.paper2011.uniform_x && size > 1)
         throw BadRequest("round-size", value,
-                         "must be 1 with uniform-x, whose draws cannot be thinned");
+                         "must be 1 with --uniform-x, whose draws cannot be thinned");
     if (size > kMostRoundSize)
         throw BadRequest("round-size", value, "must be at most " + std::to_string(kMostRoundSize));
     if (request.place.backend == "reference") return;  // the reference takes one draw at a time
@@ -91,7 +91,7 @@ void check_field(const Request& request) {
         throw BadRequest("field", "with mode " + mode, "is for modes exact and cells");
     if (request.radius)
         throw BadRequest("radius", shortest(*request.radius),
-                         "is not for a field: give a scale or a count");
+                         "is not for a field: give --scale or --count");
     if (request.mode == Mode::exact && request.metric != Metric::min)
         throw BadRequest("metric", std::string(name_of(request.metric)),
                          "is for mode cells; mode exact knows min");
@@ -121,7 +121,7 @@ void check_raster(const Request& request) {
 void check_counted(const Request& request) {
     const std::string mode = "mode " + std::string(name_of(request.mode));
     const auto refuse = [&](const char* option, const std::string& value) {
-        throw BadRequest(option, value, "is not for " + mode + ", which takes a count");
+        throw BadRequest(option, value, "is not for " + mode + ", which takes --count");
     };
     if (request.radius) refuse("radius", shortest(*request.radius));
     if (request.scale) refuse("scale", shortest(*request.scale));
@@ -209,9 +209,9 @@ void check_request(const Request& request) {
     const std::string size = has_field ? "scale" : "radius";
     const std::optional<double>& given = has_field ? request.scale : request.radius;
     if (given && request.count)
-        throw BadRequest(size, shortest(*given), "give either a " + size + " or a count");
+        throw BadRequest(size, shortest(*given), "give either --" + size + " or --count");
     if (!given && !request.count && request.classes.names.empty())
-        throw BadRequest(size, "missing", "give either a " + size + " or a count");
+        throw BadRequest(size, "missing", "give either --" + size + " or --count");
     if (request.count && *request.count == 0) throw BadRequest("count", "0", "must be at least 1");
     if (request.place.threads > kMostThreads)
         throw BadRequest("threads", std::to_string(request.place.threads),

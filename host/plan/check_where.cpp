@@ -78,7 +78,7 @@ void check_where(const Request& request) {
     if (request.count && *request.count > 0 && !has_places(request))
         throw BadRequest("count", std::to_string(*request.count),
                          "points may lie nowhere in the domain, " + extent_of(request.domain, ')') +
-                             ": must be a set without a count");
+                             ": must be a set without --count");
     const Members members(request);
     std::uint64_t kept = 0;
     for_each_polled(request.keep.size(), ask, [&](std::size_t i) {

@@ -124,7 +124,7 @@ void check_counts(const Request& request) {
             refuse(which, "is not drawn, as its weight is 0");
         if (count == 1) refuse(which, "is the only class: give a limit instead");
         if (request.count || request.limit || request.progressive)
-            refuse(which, "is for sets without a count, a limit and a progressive order");
+            refuse(which, "is for sets without --count, --limit and --progressive");
         const Members members(request);
         std::uint64_t kept = 0;
         for (std::size_t k = 0; k < request.keep.size(); ++k)

@@ -33,8 +33,7 @@ void read_part(const char* option, const std::string& value, const std::string& 
     try {
         read(option, part, number);
     } catch (const BadRequest& error) {
-        const std::string message = error.what();
-        throw BadRequest(option, shown(value), what + message.substr(message.rfind(": ") + 1));
+        throw BadRequest(option, shown(value), what + " " + error.reason());
     }
 }
 

@@ -54,7 +54,7 @@ void refuse_others(const Request& request) {
     if (!request.domain.wraps()) refuse("on a box", "is for a torus, whose edges wrap");
     if (request.mode != Mode::exact)
         refuse("with mode " + std::string(name_of(request.mode)), "is for mode exact");
-    if (request.count) refuse("with a count", "each set would have a radius of its own");
+    if (request.count) refuse("with --count", "each set would have a radius of its own");
     if (request.limit) refuse("with a limit", "sets that have gaps leave them between tiles, too");
     if (has_counts(request.classes))
         refuse("with numbers of points of classes", "there would be room at the edges of tiles");

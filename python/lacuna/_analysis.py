@@ -109,7 +109,7 @@ class Analysis:
         if curve == "pair_correlation":
             x, y = self.distance, self.pair_correlation
             return _plots.curve(ax, x, y, "distance / mean spacing", "pair correlation")
-        raise BadRequest(f"curve {shown(curve)}: must be one of power, pair_correlation", "curve")
+        raise BadRequest("curve", shown(curve), "must be one of power, pair_correlation")
 
 
 def analyze(

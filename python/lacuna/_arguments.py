@@ -63,7 +63,7 @@ def real(name: str, value: SupportsFloat) -> float:
     except (TypeError, ValueError):
         raise TypeError(f"{name} must be a number, not {shown(value)}") from None
     except OverflowError:
-        raise BadRequest(f"{name} is too large for a float", name) from None
+        raise BadRequest(name, shown(value), "is too large for a float") from None
 
 
 def whole(name: str, value: Whole, least: int, most: int) -> int:
@@ -74,7 +74,7 @@ def whole(name: str, value: Whole, least: int, most: int) -> int:
     except TypeError:
         raise TypeError(f"{name} must be a whole number (int), not {shown(value)}") from None
     if not least <= number <= most:
-        raise BadRequest(f"{name} {shown(number)}: must be {least} to {most}", name)
+        raise BadRequest(name, shown(number), f"must be {least} to {most}")
     return number
 
 
@@ -90,15 +90,13 @@ def text(name: str, value: object) -> str:
     if not isinstance(value, str):
         raise TypeError(f"{name} must be a str, not {shown(value)}")
     if len(value) > _LONGEST_NAME:
-        raise BadRequest(
-            f"{name} {shown(value)}: must have at most {_LONGEST_NAME} characters", name
-        )
+        raise BadRequest(name, shown(value), f"must have at most {_LONGEST_NAME} characters")
     if "\0" in value:
-        raise BadRequest(f"{name} {shown(value)}: must have no NUL", name)
+        raise BadRequest(name, shown(value), "must have no NUL")
     try:
         value.encode()
     except UnicodeEncodeError:
-        raise BadRequest(f"{name} {shown(value)}: must have no surrogates", name) from None
+        raise BadRequest(name, shown(value), "must have no surrogates") from None
     return value
 
 
@@ -123,9 +121,7 @@ def domain_in(name: str, value: object) -> Extent:
         )
     x0, y0, x1, y1 = (real(name, one) for one in given)
     if not (x0 < x1 and y0 < y1):
-        raise BadRequest(
-            f"{name} {shown(value)}: must be (x0, y0, x1, y1) with x0 < x1 and y0 < y1", name
-        )
+        raise BadRequest(name, shown(value), "must be (x0, y0, x1, y1) with x0 < x1 and y0 < y1")
     return (x0, y0, x1, y1) if x0 != 0 or y0 != 0 else (x1, y1)
 
 
@@ -234,7 +230,7 @@ def numbers(name: str, value: object) -> npt.NDArray[Any]:
     except ValueError:
         if not isinstance(value, (list, tuple)):
             raise
-        raise BadRequest(f"{name} {shown(value)}: must have rows of one length", name) from None
+        raise BadRequest(name, shown(value), "must have rows of one length") from None
     if array.dtype.kind not in "biuf":
         raise TypeError(f"{name} must hold real numbers, not dtype {str(array.dtype)[:_LONGEST_SHOWN]}")
     return array
@@ -246,9 +242,9 @@ def points_array(name: str, value: object) -> npt.NDArray[np.float64]:
     if array.size == 0 and array.ndim < 2:
         array = array.reshape(0, 2)
     if array.ndim != 2 or array.shape[1] != 2:
-        raise BadRequest(f"{name} of shape {array.shape}: must be N x 2", name)
+        raise BadRequest(name, f"of shape {array.shape}", "must be N x 2")
     if len(array) >= _MOST_POINTS:
-        raise BadRequest(f"{name} of shape {array.shape}: must be fewer than 2^31", name)
+        raise BadRequest(name, f"of shape {array.shape}", "must be fewer than 2^31")
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
@@ -256,15 +252,9 @@ def _pixels(name: str, value: object, most: tuple[int, int]) -> npt.NDArray[Any]
     """An array of rows and columns, of any dtype and strides."""
     array = numbers(name, value)
     if array.ndim != 2 or array.size == 0:
-        raise BadRequest(
-            f"{name} of shape {array.shape}: must be rows x columns, at least 1 x 1", name
-        )
+        raise BadRequest(name, f"of shape {array.shape}", "must be rows x columns, at least 1 x 1")
     if array.size > 2 ** most[0] or max(array.shape) > 2 ** most[1]:
-        raise BadRequest(
-            f"{name} of shape {array.shape}: must have at most 2^{most[0]} pixels, 2^{most[1]} to "
-            "a side",
-            name,
-        )
+        raise BadRequest(name, f"of shape {array.shape}", f"must have at most 2^{most[0]} pixels, 2^{most[1]} to a side")
     return array
 
 
@@ -289,9 +279,7 @@ def ellipses_of(name: str, value: object) -> _core.Field:
     """An ellipse for each pixel, row 0 on top: two radii and the angle of the first."""
     array = numbers(name, value)
     if array.ndim != 3 or array.shape[2] != 3 or array.size == 0:
-        raise BadRequest(
-            f"{name} of shape {array.shape}: must be rows x columns x 3, at least 1 x 1 x 3", name
-        )
+        raise BadRequest(name, f"of shape {array.shape}", "must be rows x columns x 3, at least 1 x 1 x 3")
     _pixels(name, array[:, :, 0], _OF_FIELDS)
     return _core.ellipse_field(np.ascontiguousarray(array, dtype=np.float64))
 
@@ -299,7 +287,7 @@ def ellipses_of(name: str, value: object) -> _core.Field:
 def importance_of(field: object, ellipses: object) -> _core.Field | None:
     """The field of either argument; None without both."""
     if field is not None and ellipses is not None:
-        raise BadRequest("ellipses: cannot be used with field", "ellipses")
+        raise BadRequest("ellipses", "", "cannot be used with field")
     if ellipses is not None:
         return ellipses_of("ellipses", ellipses)
     return None if field is None else field_of("field", field)
@@ -313,9 +301,7 @@ def mask_of(name: str, value: object) -> _core.Mask:
     for part in _parts(array):
         if array.dtype.kind == "f" and not (finite := np.isfinite(array[part])).all():
             wrong = array[part][~finite][0]
-            raise BadRequest(
-                f"{name} {wrong}: must be finite numbers, 0 where no point may lie", name
-            )
+            raise BadRequest(name, f"{wrong}", "must be finite numbers, 0 where no point may lie")
         values[part] = array[part] != 0
     return mask
 
@@ -336,9 +322,7 @@ def path_bytes(name: str, value: str | bytes | os.PathLike[Any]) -> bytes:
     try:
         path = os.fsencode(value)
     except UnicodeEncodeError:  # a surrogate that os.fsdecode does not make
-        raise BadRequest(
-            f"{name} {shown(value)}: must have no surrogate that stands for no byte", name
-        ) from None
+        raise BadRequest(name, shown(value), "must have no surrogate that stands for no byte") from None
     if b"\0" in path:
-        raise BadRequest(f"{name} {shown(path)}: must have no NUL", name)
+        raise BadRequest(name, shown(path), "must have no NUL")
     return b"./-" if path == b"-" else path

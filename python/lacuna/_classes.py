@@ -28,7 +28,7 @@ def classes_of(classes: ClassSizes | None, between: object) -> dict[str, Any]:
     """The classes among the options of a request; empty if there are none."""
     if classes is None:
         if not isinstance(between, str) or between != "sum":
-            raise BadRequest(f"between {shown(between)}: is for classes", "between")
+            raise BadRequest("between", shown(between), "is for classes")
         return {}
     if not isinstance(classes, Mapping) or not classes:
         raise TypeError(
@@ -39,17 +39,15 @@ def classes_of(classes: ClassSizes | None, between: object) -> dict[str, Any]:
     radii = [radius for radius, _, _ in sizes]
     if isinstance(between, str):
         if between not in ("sum", "union"):
-            raise BadRequest(
-                f"between {shown(between)}: must be 'sum', 'union' or a matrix", "between"
-            )
+            raise BadRequest("between", shown(between), "must be 'sum', 'union' or a matrix")
         if any(radius is None for radius in radii):
-            raise BadRequest("classes: each needs a radius unless between is a matrix", "classes")
+            raise BadRequest("classes", "", "each needs a radius unless between is a matrix")
         known = [radius for radius in radii if radius is not None]
         by_rule = _core.distances_by_sum if between == "sum" else _core.distances_by_union
         distances = by_rule(known)
     else:
         if any(radius is not None for radius in radii):
-            raise BadRequest("classes: need no radius, for between has all distances", "classes")
+            raise BadRequest("classes", "", "need no radius, for between has all distances")
         distances = _matrix_of(between, len(radii))
     weights = [weight for _, weight, _ in sizes]
     counts = [count for _, _, count in sizes]
@@ -86,7 +84,7 @@ def borders_of(
     names = kinds.get("class_names", [])
     if flag("inside_by_radius", inside_by_radius):
         if isinstance(border, Mapping) or real("border", border) != 0:
-            raise BadRequest("border with inside_by_radius: both say how far to stay", "border")
+            raise BadRequest("border", "with inside_by_radius", "both say how far to stay")
         least = 0.0 if radius is None else real("radius", radius)
         if not names:
             return Borders(least / 2, None, True)
@@ -97,7 +95,7 @@ def borders_of(
         return Borders(real("border", border), None, False)
     for name in border:
         if name not in names:
-            raise BadRequest(f"border {shown(name)}: must be the name of a class", "border")
+            raise BadRequest("border", shown(name), "must be the name of a class")
     return Borders(0.0, [real("border", border.get(name, 0.0)) for name in names], False)
 
 
@@ -112,7 +110,7 @@ def masks_of(
     names = kinds.get("class_names", [])
     for name in mask:
         if name is not None and name not in names:
-            raise BadRequest(f"mask {shown(name)}: must be the name of a class", "mask")
+            raise BadRequest("mask", shown(name), "must be the name of a class")
     each = {name: mask_of("mask", one) for name, one in mask.items()}
     own = {"masks": [each.get(name) for name in names]} if each.keys() - {None} else {}
     return each.get(None), own, list(each.values())
@@ -142,10 +140,7 @@ def _matrix_of(between: Any, count: int) -> list[float]:
             f"between must be 'sum', 'union' or a matrix of numbers, not {shown(between)}"
         ) from None
     if matrix.shape != (count, count):
-        raise BadRequest(
-            f"between of shape {matrix.shape}: must be {count} x {count}, as many as classes",
-            "between",
-        )
+        raise BadRequest("between", f"of shape {matrix.shape}", f"must be {count} x {count}, as many as classes")
     return [float(distance) for distance in matrix.ravel()]
 
 
@@ -156,14 +151,10 @@ def _numbers(argument: str, given: Iterable[object], names: Sequence[str]) -> By
     for one in given:
         place = places.get(one) if isinstance(one, str) else one
         if isinstance(place, (bool, float)) or place is None or not hasattr(place, "__index__"):
-            raise BadRequest(
-                f"{argument} {shown(one)}: must be one of {', '.join(names)}", argument
-            )
+            raise BadRequest(argument, shown(one), f"must be one of {', '.join(names)}")
         number = place.__index__()
         if not 0 <= number < len(names):
-            raise BadRequest(
-                f"{argument} {shown(one)}: must be from 0 to {len(names) - 1}", argument
-            )
+            raise BadRequest(argument, shown(one), f"must be from 0 to {len(names) - 1}")
         numbers.append(number)
     return np.array(numbers, dtype=np.uint8)
 
@@ -181,5 +172,5 @@ def classes_of_points(
     if given is None:
         return None
     if not classes or points is None:
-        raise BadRequest(f"{argument}: is for points with classes", argument)
+        raise BadRequest(argument, "", "is for points with classes")
     return _numbers(argument, given, classes["class_names"])

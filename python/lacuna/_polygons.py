@@ -206,9 +206,7 @@ def places_of(
         for lines, distance in given:
             width = real(argument, distance)
             if not 0 < width < np.inf:
-                raise BadRequest(
-                    f"{argument} {width}: a distance must be a finite number over 0", argument
-                )
+                raise BadRequest(argument, f"{width}", "a distance must be a finite number over 0")
             # A class with places of its own must be near, too, as it must avoid obstacles.
             places.append(_Place(argument, lines, True, width))
     return places
@@ -241,7 +239,7 @@ def sets_on(
     own = {place.kind for place in places} - {None}
     for name in own:
         if name not in names:
-            raise BadRequest(f"inside {shown(name)}: must be the name of a class", "inside")
+            raise BadRequest("inside", shown(name), "must be the name of a class")
     each = borders or [0.0]
     if own and len(each) == 1:
         each = each * len(names)

@@ -291,7 +291,7 @@ def sample(
     asked.update(kinds | borders.options | own_masks)
     arrays = {
         "field": field, "ellipses": ellipses, "mask": mask, "inside": inside, "outside": outside,
-        "avoid": avoid, "near": near, "keep": keep, "class": classes,
+        "avoid": avoid, "near": near, "keep": keep, "classes": classes,
     }  # fmt: skip
     asked["given"] = [name for name, array in arrays.items() if array is not None]
     sets = sets_on(asked, places, borders.each, borders.are_radii)
@@ -419,7 +419,7 @@ def sample_many(
     if (pixels := more.get("on_pixels")) is not None:
         more.setdefault("domain", raster_in("on_pixels", pixels))
     asked = {**options(radius=radius, n=n, **{**usual, **more}), **kinds}
-    asked["given"] = ["class"] if kinds else []
+    asked["given"] = ["classes"] if kinds else []
     expected = None
     if isinstance(seeds, Sized):
         expected = _number_of(seeds)
@@ -481,7 +481,8 @@ def _refuse_more_sets(sets: int, points: int) -> None:
     available = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     if needed > available:
         raise MemoryRefused(
-            f"seeds of {sets} sets: take at least {needed / 1e9:.3g} GB together, of "
-            f"{available / 1e9:.3g} GB; with iter(seeds) the sets come one at a time",
             "seeds",
+            f"of {sets} sets",
+            f"take at least {needed / 1e9:.3g} GB together, of {available / 1e9:.3g} GB; with "
+            "iter(seeds) the sets come one at a time",
         )

@@ -409,21 +409,21 @@ class Stippling(PointSet):
         for name, array in (("radii", radii), ("ink", self.ink), ("ellipses", ellipses)):
             if array is not None and len(array) != len(self.points):
                 count = len(self.points)
-                raise BadRequest(f"{name}: must be {count}, as points are, not {len(array)}", name)
+                raise BadRequest(name, "", f"must be {count}, as points are, not {len(array)}")
         if self.are_strokes and ellipses is None:
-            raise BadRequest("ellipses None: must be there with are_strokes", "ellipses")
+            raise BadRequest("ellipses", "None", "must be there with are_strokes")
         if self.ink is not None and len(self.ink) and int(self.ink.max()) >= len(self.inks or ()):
             most = len(self.inks or ())
-            raise BadRequest(f"ink {self.ink.max()}: must be under {most}, the inks", "ink")
+            raise BadRequest("ink", f"{self.ink.max()}", f"must be under {most}, the inks")
         if not 0 <= self.line_width < np.inf:
-            raise BadRequest(f"line_width {self.line_width}: must be at least 0", "line_width")
+            raise BadRequest("line_width", f"{self.line_width}", "must be at least 0")
         if self.paper is None:
             return
         if len(self.paper) != 3:
-            raise BadRequest(f"paper {self.paper}: must be width, height and margin", "paper")
+            raise BadRequest("paper", f"{self.paper}", "must be width, height and margin")
         width, height, margin = self.paper
         if not (0 <= margin and 2 * margin < min(width, height) and max(width, height) < np.inf):
-            raise BadRequest(f"paper {self.paper}: must have room between its margins", "paper")
+            raise BadRequest("paper", f"{self.paper}", "must have room between its margins")
 
     def _radii(self) -> Floats:
         return self.radii

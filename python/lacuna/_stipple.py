@@ -232,7 +232,7 @@ progress
     picture = _picture(image)
     first = None if start_points is None else points_array("start_points", start_points)
     if first is not None and len(first) == 0:
-        raise BadRequest("start_points: must have at least one point", "start_points")
+        raise BadRequest("start_points", "", "must have at least one point")
     try:
         with watched(progress) as told:
             made = _core.stipple(picture, asked, palette, first, told)

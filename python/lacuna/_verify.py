@@ -176,14 +176,14 @@ def _size(
         name, other, given, wrong = "scale", "radius", scale, radius
     if wrong is not None:
         reason = "is for a field" if other == "scale" else "with a field give scale"
-        raise BadRequest(f"{other} {shown(wrong)}: {reason}", other)
+        raise BadRequest(other, shown(wrong), f"{reason}")
     given = (own.get(name) or None) if given is None else given
     if given is None and has_ellipses:
         given = 1
     if given is None:
         what = "the radius where importance is 1"
         what = what if name == "scale" else "the least distance to be proven"
-        raise BadRequest(f"{name} missing: give {what}", name)
+        raise BadRequest(name, "missing", f"give {what}")
     return {name: given}
 
 
@@ -328,10 +328,7 @@ def verify(
             0 if border is None else border, bool(inside_by_radius), kinds, size.get("radius")
         )
     if borders.are_radii and (importance is not None or masks):
-        raise BadRequest(
-            "inside_by_radius with a field, ellipses or a mask: is for disks and outlines",
-            "inside_by_radius",
-        )
+        raise BadRequest("inside_by_radius", "with a field, ellipses or a mask", "is for disks and outlines")
     places = places_of(inside, outside, avoid, near)
     if not flag("distances_only", distances_only):
         for name, is_given in (
@@ -339,7 +336,7 @@ def verify(
             ("mask", bool(masks) or bool(places)),
         ):
             if own.get(f"has_{name}") and not is_given:
-                raise BadRequest(f"{name} missing: the set was made with one: give it too", name)
+                raise BadRequest(name, "missing", "the set was made with one: give it too")
     shape = None
     if domain is None and not isinstance(points, HasPoints):
         shape = shape_of(importance, *masks) or around(places)
@@ -361,7 +358,7 @@ def verify(
         if isinstance(points, PointSet) and points.class_of is not None:
             of_kept = np.concatenate([points.class_of[: own["kept"]], own["of_neighbours"]])
     if kinds and class_of is None and of_points is None:
-        raise BadRequest("class_of missing: give the class of each point", "class_of")
+        raise BadRequest("class_of", "missing", "give the class of each point")
     numbers = classes_of_points("class_of", class_of, of_points, kinds, array)
     sets = sets_on(asked, places, borders.each, borders.are_radii)
     found = _core.verify(array, asked, importance, allowed, sets, kept, of_kept, numbers)

@@ -32,7 +32,7 @@ _SMALL = 20_000
 def _bounds(name: str, value: npt.ArrayLike) -> npt.NDArray[np.float64]:
     array = numbers(name, value).astype(np.float64)
     if array.shape not in ((), (1,), (2,)) or not np.isfinite(array).all():
-        raise BadRequest(f"{name} {shown(value)}: must be one or two finite numbers", name)
+        raise BadRequest(name, shown(value), "must be one or two finite numbers")
     return np.broadcast_to(array, 2)
 
 
@@ -100,22 +100,22 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
         threads: Whole = 0,
     ) -> None:
         if whole("d", d, 0, 2**31) != 2:
-            raise BadRequest(f"d {d}: must be 2", "d")
+            raise BadRequest("d", f"{d}", "must be 2")
         if hypersphere not in ("volume", "surface"):
-            wrong = f"hypersphere {shown(hypersphere)}: must be one of volume, surface"
-            raise BadRequest(wrong, "hypersphere")
+            allowed = "must be one of volume, surface"
+            raise BadRequest("hypersphere", shown(hypersphere), allowed)
         whole("ncandidates", ncandidates, 1, 2**31)
         if optimization is not None:
-            raise BadRequest(f"optimization {shown(optimization)}: must be None", "optimization")
+            raise BadRequest("optimization", shown(optimization), "must be None")
         if rng is not None and seed is not None:
-            raise BadRequest("seed and rng: give one of them", "seed")
+            raise BadRequest("seed", "and rng", "give one of them")
         super().__init__(2)
         given = options(radius=radius, torus=torus, seed=seed if rng is None else rng)
         self.radius: float = given["radius"]
         self.l_bounds = _bounds("l_bounds", 0.0 if l_bounds is None else l_bounds)
         self.u_bounds = _bounds("u_bounds", 1.0 if u_bounds is None else u_bounds)
         if not (self.l_bounds < self.u_bounds).all():
-            raise BadRequest("l_bounds must be less than u_bounds", "l_bounds")
+            raise BadRequest("l_bounds", shown(l_bounds), "must be less than u_bounds")
         with np.errstate(over="ignore"):  # infinite sides are refused by name
             self._sides = self.u_bounds - self.l_bounds
         self._seed: int = given["seed"]
@@ -152,8 +152,8 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
         except BadRequest as error:
             if error.argument != "domain":
                 raise
-            reason = str(error).removeprefix("domain ")
-            raise BadRequest(f"u_bounds less l_bounds, {reason}", "u_bounds") from None
+            value = f"less l_bounds, {error.value}"
+            raise BadRequest("u_bounds", value, error.reason) from None
         points = made.points
         if self.l_bounds.any():
             points = points + self.l_bounds

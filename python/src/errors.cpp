@@ -3,6 +3,8 @@
 #include <lacuna/lacuna.h>
 #include <nanobind/nanobind.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -10,6 +12,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "options.h"
 #include "parts.h"
 
 namespace nb = nanobind;
@@ -26,10 +29,30 @@ nb::object text_of(const char* message) {
     return nb::steal(text);
 }
 
-void raise(const char* type, const char* message, const std::string& argument = "") {
+// Options in messages are Python's arguments: --inside-by-radius becomes inside_by_radius.
+std::string worded(std::string_view message) {
+    std::string text;
+    while (!message.empty()) {
+        const bool begins_word = text.empty() || text.back() == ' ' || text.back() == '(';
+        const std::size_t end = message.find_first_not_of("abcdefghijklmnopqrstuvwxyz-");
+        const std::string_view word = message.substr(0, std::max<std::size_t>(1, end));
+        const std::string argument =
+            begins_word && word.starts_with("--") ? argument_called(word.substr(2)) : "";
+        text += argument == "invert" ? "invert=True" : argument.empty() ? word : argument;
+        message.remove_prefix(word.size());
+    }
+    return text;
+}
+
+template <class... Parts>
+void raise(const char* type, const Parts&... parts) {
     const nb::object errors = nb::module_::import_("lacuna._errors");
-    const nb::object error = errors.attr(type)(text_of(message), text_of(argument.c_str()));
+    const nb::object error = errors.attr(type)(text_of(worded(parts).c_str())...);
     PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
+}
+
+void raise(const char* type, const BadRequest& error) {
+    raise(type, argument_called(error.option()), error.value(), error.reason());
 }
 
 // Translates what is thrown if, during the work, the system refuses memory or a thread of oneTBB or
@@ -38,7 +61,7 @@ void translate_refusal(const std::exception_ptr& thrown) {
     try {
         std::rethrow_exception(thrown);
     } catch (const std::bad_alloc&) {
-        raise("MemoryRefused", "the system gives no more memory");
+        raise("MemoryRefused", "", "", "the system gives no more memory");
     } catch (const std::system_error& error) {
         raise("Unavailable", error.what());
     } catch (const std::runtime_error& error) {
@@ -51,9 +74,9 @@ void translate(const std::exception_ptr& thrown, void*) {
     try {
         std::rethrow_exception(thrown);
     } catch (const MemoryRefused& error) {
-        raise("MemoryRefused", error.what(), error.option());
+        raise("MemoryRefused", error);
     } catch (const BadRequest& error) {
-        raise("BadRequest", error.what(), error.option());
+        raise("BadRequest", error);
     } catch (const Unavailable& error) {
         raise("Unavailable", error.what());
     } catch (const DeviceError& error) {

@@ -22,11 +22,6 @@ namespace {
 using recipes::Kind;
 using recipes::Option;
 
-// Python's name of an option.
-std::string argument_of(const Option& option) {
-    return option.name == "count" ? "n" : option.key();
-}
-
 // Reads a value into its target. Functions are for texts: where Python has an array, it is not
 // among the values given.
 struct Reader {
@@ -66,7 +61,7 @@ nb::dict kinds_of_options() {
     for (const recipes::Commands command : {recipes::kSample, recipes::kStipple, recipes::kRelax,
                                             recipes::kVerify, recipes::kAnalyze})
         for (const Option* option : recipes::options_of(command)) {
-            const nb::str name(argument_of(*option).c_str());
+            const nb::str name(argument_called(option->name).c_str());
             if (option->kind == Kind::number) kinds[name] = "real";
             if (option->kind == Kind::whole) kinds[name] = "whole";
             if (option->kind == Kind::flag) kinds[name] = "flag";
@@ -77,6 +72,15 @@ nb::dict kinds_of_options() {
 
 }  // namespace
 
+std::string argument_called(std::string_view option) {
+    if (option == "count") return "n";
+    if (option == "class") return "classes";
+    if (option == "sets") return "points";
+    std::string name(option);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
 void refuse_number(const char* name, const nb::handle value, std::uint64_t most) {
     throw BadRequest(name, text_of(value), "must be 0 to " + std::to_string(most));
 }
@@ -84,7 +88,7 @@ void refuse_number(const char* name, const nb::handle value, std::uint64_t most)
 void read(const nb::dict& given, const recipes::Targets& targets) {
     for (const recipes::Commands command : {recipes::kSample, recipes::kStipple})
         for (const Option* option : recipes::options_of(command)) {
-            const std::string name = argument_of(*option);
+            const std::string name = argument_called(option->name);
             const auto target = targets.find(option->name);
             if (target != targets.end() && given.contains(name.c_str()))
                 std::visit(Reader{given, name.c_str()}, target->second);
@@ -110,7 +114,7 @@ void refuse_pairs(const nb::dict& given) {
     recipes::CommandLine line{recipes::kSample, {}};
     const auto arrays = nb::cast<std::vector<std::string>>(given["given"]);
     for (const Option* option : recipes::options_of(line.command)) {
-        const std::string name = argument_of(*option);
+        const std::string name = argument_called(option->name);
         const bool is_array = std::find(arrays.begin(), arrays.end(), name) != arrays.end();
         if (!is_array &&
             (!given.contains(name.c_str()) || given[name.c_str()].is(nb::handle(Py_False))))

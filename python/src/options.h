@@ -13,6 +13,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -40,6 +41,9 @@ void read(const nb::dict& given, const char* name, Value& value) {
         value = nb::cast<Value>(given[name]);
     }
 }
+
+// Python's argument for an option of the library: n for count, and _ in place of -.
+std::string argument_called(std::string_view option);
 
 // Reads all options that have a target.
 void read(const nb::dict& given, const recipes::Targets& targets);

@@ -90,7 +90,7 @@ TEST(AFrame, IsRefusedWhereTilesWouldNotFit) {
     EXPECT_EQ(refusal(lines), "frame with mode lines: is for mode exact");
     EXPECT_EQ(refusal(limited),
               "frame with a limit: sets that have gaps leave them between tiles, too");
-    EXPECT_EQ(refusal(counted), "frame with a count: each set would have a radius of its own");
+    EXPECT_EQ(refusal(counted), "frame with --count: each set would have a radius of its own");
     EXPECT_EQ(refusal(ordered), "frame with a progressive order: the frame would come first");
 }
 

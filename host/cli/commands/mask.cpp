@@ -115,7 +115,7 @@ ThresholdMask made(const Raster& sides, const MaskCommand& options) {
         return threshold_mask(sides.columns, sides.rows, options.seed, options.frames.value_or(1));
     } catch (const BadRequest& error) {
         if (error.option() != "size") throw;
-        throw BadUsage("SIZE" + std::string(error.what()).substr(error.option().size()));
+        throw BadUsage("SIZE " + error.value() + ": " + error.reason());
     }
 }
 

@@ -59,10 +59,7 @@ Polygons read_for(const std::string& option, const std::function<Polygons()>& re
     try {
         return read();
     } catch (const BadRequest& error) {
-        const std::string what = std::string(error.what()).substr(error.option().size() + 1);
-        const std::size_t colon = std::min(what.rfind(": "), what.size());
-        throw BadRequest(option, what.substr(0, colon),
-                         what.substr(std::min(colon + 2, what.size())));
+        throw BadRequest(option, error.value(), error.reason());
     }
 }
 

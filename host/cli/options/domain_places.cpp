@@ -73,13 +73,10 @@ double least_radius(const Request& request, std::span<const PolygonSet> sets,
 
 // A refusal of an edge that was not given says what it is.
 BadRequest without_edge(const BadRequest& error, const Request& request) {
-    const std::string what = std::string(error.what()).substr(error.option().size() + 1);
-    const std::size_t colon = what.find(": ");
     return {"edge",
-            what.substr(0, colon) + (request.on_pixels
-                                         ? " (by default a sixteenth of a pixel)"
-                                         : " (by default a sixteenth of the least radius)"),
-            what.substr(colon + 2)};
+            error.value() + (request.on_pixels ? " (by default a sixteenth of a pixel)"
+                                               : " (by default a sixteenth of the least radius)"),
+            error.reason()};
 }
 
 // Refuses a radius that is too small before its sixteenth is refused as an edge.

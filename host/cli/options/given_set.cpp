@@ -79,8 +79,8 @@ SetAndField read_given_set(const CommandLine& line, const GivenSet& set, Request
 }
 
 void refuse_points(const GivenSet& set, const BadRequest& error) {
-    if (error.option() != "points") throw error;
-    refuse(set, std::string(error.what()).substr(error.option().size() + 1));
+    if (error.option() != "points") throw;
+    refuse(set, error.value() + ": " + error.reason());
 }
 
 GivenColumns::GivenColumns(const GivenSet& set, const SetAndField& given,

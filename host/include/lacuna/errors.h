@@ -12,16 +12,22 @@ class Error : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// The request cannot be met. what() is "OPTION VALUE: what is allowed"; option() is the command's
-// name for the field, without dashes.
+// The request cannot be met. option() is the command's name for the field, without dashes; value()
+// what it was; reason() what is allowed, where other options are written --NAME. what() is
+// "OPTION VALUE: REASON".
 class BadRequest : public Error {
 public:
-    BadRequest(const std::string& option, const std::string& value, const std::string& allowed)
-        : Error(option + " " + value + ": " + allowed), option_(option) {}
+    BadRequest(const std::string& option, const std::string& value, const std::string& reason)
+        : Error(option + " " + value + ": " + reason),
+          option_(option),
+          value_(value),
+          reason_(reason) {}
     const std::string& option() const { return option_; }
+    const std::string& value() const { return value_; }
+    const std::string& reason() const { return reason_; }
 
 private:
-    std::string option_;
+    std::string option_, value_, reason_;
 };
 
 // The set asked for would take more memory than there is, or than Place::memory_limit_bytes.
