@@ -28,6 +28,39 @@ void take_raster(std::optional<Raster>& raster, const char* option, const Value*
                           {first, first + columns * rows}});
 }
 
+Role role_of(const lacuna_outline& outline) {
+    const std::string_view name = outline.role == nullptr ? "" : outline.role;
+    for (const Role role : {Role::inside, Role::outside, Role::avoid, Role::near})
+        if (name == name_of(role)) return role;
+    throw BadRequest("outlines", shown(std::string(name)),
+                     "the role must be inside, outside, avoid or near");
+}
+
+std::vector<Outline> outlines_of(const lacuna_given* given) {
+    if (given->outlines == nullptr && given->outline_count != 0)
+        throw BadRequest("outlines", "NULL",
+                         "must be " + std::to_string(given->outline_count) + " outlines");
+    std::vector<Outline> outlines;
+    for (std::size_t i = 0; i < given->outline_count; ++i) {
+        const lacuna_outline& one = given->outlines[i];
+        Outline& outline = outlines.emplace_back();
+        outline.role = role_of(one);
+        if (outline.role == Role::avoid || outline.role == Role::near)
+            outline.distance = one.distance;
+        if (one.of_class != nullptr) outline.of_class = one.of_class;
+        const std::string name(name_of(outline.role));
+        if (one.ring_sizes == nullptr && one.rings != 0)
+            throw BadRequest(name, "NULL",
+                             "must be the sizes of " + std::to_string(one.rings) + " rings");
+        const double* xy = one.xy;
+        for (std::size_t ring = 0; ring < one.rings; ++ring) {
+            outline.polygons.rings.push_back(points_of(name.c_str(), xy, one.ring_sizes[ring]));
+            if (xy != nullptr) xy += 2 * one.ring_sizes[ring];
+        }
+    }
+    return outlines;
+}
+
 }  // namespace
 
 std::vector<Point> points_of(const char* name, const double* xy, std::size_t count) {
@@ -44,6 +77,8 @@ std::vector<std::string_view> names_of(const lacuna_given* given, std::string_vi
     if (given != nullptr && given->importance != nullptr) names.push_back(field);
     if (given != nullptr && given->kept_count != 0) names.emplace_back("keep");
     if (given != nullptr && given->allowed != nullptr) names.emplace_back("mask");
+    for (std::size_t i = 0; given != nullptr && i < given->outline_count; ++i)
+        if (given->outlines != nullptr) names.push_back(name_of(role_of(given->outlines[i])));
     return names;
 }
 
@@ -69,6 +104,12 @@ Given::Given(const lacuna_given* given, Request& request, const recipes::Command
     };
     if (field_ && !has_shape) shape(*field_);
     if (mask_ && !field_ && !has_shape) shape(*mask_);
+    request.places.outlines = outlines_of(given);
+    if (!has_shape && !field_ && !mask_ && given->outline_count != 0) {
+        const Boundary boundary = request.domain.boundary;
+        request.domain = domain_around(request.places);
+        request.domain.boundary = boundary;
+    }
 }
 
 void ClassesAndBorders::add_to(recipes::Targets& targets) {
@@ -84,7 +125,8 @@ void ClassesAndBorders::take_to(Request& request) const {
                          "must be sum or union, as lacuna.h reads no files");
     request.classes = recipes::read_classes(classes_, nullptr);
     recipes::take_size_of_classes(request);
-    recipes::take_borders(borders_, inside_by_radius_, request);
+    recipes::take_borders(borders_, request);
+    request.places.border_by_radius = inside_by_radius_;
 }
 
 }  // namespace lacuna::c

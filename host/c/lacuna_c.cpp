@@ -192,6 +192,7 @@ int verified(const char* options, const lacuna_given* given, const double* point
     claim.scale = request.scale.value_or(0);
     claim.domain = request.domain;
     claim.field = request.field;
+    claim.places = request.places;
     claim.mask = request.mask;
     claim.border = request.border;
     claim.classes = request.classes;

@@ -133,16 +133,4 @@ Polygons decode_lines(std::string_view bytes, std::string_view format, const std
     return decode(bytes, format, name, domains::Take::lines, {});
 }
 
-std::vector<PolygonRing> fitted(Polygons polygons, const Domain& domain) {
-    if (!polygons.page) return std::move(polygons.rings);
-    const double along = domain.width / polygons.page->width;
-    const double up = domain.height / polygons.page->height;
-    if (along == 1 && up == 1 && !domain.has_corner()) return std::move(polygons.rings);
-    for (PolygonRing& ring : polygons.rings)
-        for_each_polled(ring.size(), ask, [&](std::size_t i) {
-            ring[i] = domain.at({ring[i].x * along, ring[i].y * up});
-        });
-    return std::move(polygons.rings);
-}
-
 }  // namespace lacuna

@@ -10,15 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include "places/fair.h"
+
 namespace lacuna::domains {
 
-// Far beyond any domain, and small enough that products of two coordinates are finite.
-inline constexpr double kLargest = 1e100;
-inline constexpr std::string_view kFair = "both must be finite numbers between -1e100 and 1e100";
-
-inline bool is_fair(Point point) {
-    return std::abs(point.x) <= kLargest && std::abs(point.y) <= kLargest;
-}
+using places::is_fair;
+using places::kFair;
+using places::kLargest;
 
 // Most points of a drawing. Small files can ask for more by repetition: `use` in SVG does it.
 inline constexpr std::size_t kMostPoints = 20'000'000;

@@ -219,14 +219,17 @@ void check_request(const Request& request) {
     check_round_size(request);
 }
 
-CheckedRequest::CheckedRequest(const Request& request) : request_(request) {
-    check_request(request);
+CheckedRequest::CheckedRequest(const Request& request) : CheckedRequest(resolve(request)) {}
+
+CheckedRequest::CheckedRequest(Resolved&& resolved)
+    : request_(std::move(resolved.request)), edge_(resolved.edge), masks_(resolved.masks) {
+    check_request(request_);
     Classes& classes = request_.classes;
-    std::optional<double>& size = request.field != nullptr ? request_.scale : request_.radius;
-    if (!classes.names.empty() && !size && !request.count) size = least_distance_of(classes);
+    std::optional<double>& size = request_.field != nullptr ? request_.scale : request_.radius;
+    if (!classes.names.empty() && !size && !request_.count) size = least_distance_of(classes);
     if (classes.names.size() == 1) {
-        request_.border = border_of(request, 0);
-        request_.mask = mask_of(request, 0);
+        request_.border = border_of(request_, 0);
+        request_.mask = mask_of(request_, 0);
         classes = {};
         request_.keep_classes = {};
     }

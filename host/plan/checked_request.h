@@ -16,7 +16,8 @@ namespace lacuna {
 // Checks everything that does not depend on the radius. Throws BadRequest.
 void check_request(const Request& request);
 
-// A request that check_request() has accepted, as plans are made of it: classes give it the radius
+// A request that check_request() has accepted, as plans are made of it: places are masks and
+// borders; classes give it the radius
 // or scale of their least distance if it has none and no count; one class is the same as none.
 class CheckedRequest {
 public:
@@ -44,6 +45,9 @@ public:
                      : std::span<const std::uint32_t>();
     }
 
+    // How far outlines are off: Resolved::edge.
+    double edge() const { return edge_; }
+
     const Request& operator*() const { return request_; }
     const Request* operator->() const { return &request_; }
     operator const Request&() const { return request_; }  // NOLINT(google-explicit-constructor)
@@ -51,7 +55,11 @@ public:
 private:
     void sort_kept();
 
+    CheckedRequest(Resolved&& resolved);
+
     Request request_;
+    double edge_;
+    std::shared_ptr<const std::vector<Mask>> masks_;
     std::shared_ptr<const SortedKept> kept_;  // null: all lie in the domain
 };
 

@@ -20,6 +20,8 @@ Claim claim_of(const Request& request, const Result& result) {
     if (request.mode == Mode::stratified || request.mode == Mode::pixels) return claim;
     claim.field = request.field;
     claim.scale = request.field != nullptr ? result.scale : 0;
+    claim.places = request.places;
+    claim.places.edge = result.edge;
     claim.mask = request.mask;
     claim.border = request.border;
     claim.classes = request.classes;

@@ -58,20 +58,6 @@ ClassText read_class(const std::string& text) {
     return read_text;
 }
 
-// Half of the distance that two points of each class keep, or all points: the radius of an object.
-// 0 while the request has no radius, or one that will be refused.
-std::vector<double> radii_of_objects(const Request& request) {
-    const Classes& classes = request.classes;
-    const std::size_t count = classes.names.size();
-    const double radius = request.radius.value_or(0);
-    const double half = radius > 0 && std::isfinite(radius) ? radius / 2 : 0;
-    if (count == 0) return {half};
-    std::vector<double> radii;
-    for (std::size_t i = 0; i < count; ++i)
-        radii.push_back(classes.distances[i * (count + 1)] / least_distance_of(classes) * half);
-    return radii;
-}
-
 }  // namespace
 
 Classes read_classes(const ClassOptions& options,
@@ -113,30 +99,9 @@ std::string among_names(const std::vector<std::string>& names) {
     return " (" + listed(std::vector<std::string_view>(names.begin(), names.end())) + ")";
 }
 
-void check_room_of_objects(const Request& request) {
-    const double shorter = request.domain.shorter_side();
-    for (std::size_t i = 0; i < std::max<std::size_t>(1, request.classes.names.size()); ++i) {
-        const double radius = border_of(request, i);
-        if (!(radius >= shorter / 2) || !(shorter > 0) || std::isinf(radius)) continue;
-        const std::string of_class =
-            request.classes.names.empty() ? "" : " of class " + request.classes.names[i];
-        throw BadRequest("inside-by-radius", "with objects" + of_class,
-                         "their radius is " + shortest(radius) +
-                             ": must be under half of the domain's shorter side, " +
-                             shortest(shorter / 2) + ", or there is no place for them");
-    }
-}
-
-void take_borders(const std::vector<std::string>& borders, bool inside_by_radius,
-                  Request& request) {
+void take_borders(const std::vector<std::string>& borders, Request& request) {
     Classes& classes = request.classes;
     const std::size_t count = classes.names.size();
-    if (inside_by_radius) {
-        classes.borders = radii_of_objects(request);
-        if (count == 0) request.border = std::exchange(classes.borders, {}).front();
-        check_room_of_objects(request);
-        return;
-    }
     std::optional<double> of_all;
     std::vector<std::optional<double>> own(count);
     for (const std::string& text : borders) {

@@ -29,12 +29,7 @@ void take_size_of_classes(Request& request);
 // none.
 std::string among_names(const std::vector<std::string>& names);
 
-// Checks that the domain has a place for an object of each class, whose borders are those of
-// --inside-by-radius. Throws BadRequest.
-void check_room_of_objects(const Request& request);
-
-// Gives the request and its classes the borders of --border, D or NAME:D each, or those of
-// --inside-by-radius. The request has its classes and its size. Throws BadRequest.
-void take_borders(const std::vector<std::string>& borders, bool inside_by_radius, Request& request);
+// Gives the request and its classes the borders of --border, D or NAME:D each. Throws BadRequest.
+void take_borders(const std::vector<std::string>& borders, Request& request);
 
 }  // namespace lacuna::recipes

@@ -172,7 +172,9 @@ Result sample_checked(const CheckedRequest& request, Observer& observer) {
 
 Result sample(const Request& request, Observer& observer) {
     Asked asked(observer, nothing_yet(request));
-    Result result = sample_checked(request, asked);
+    const CheckedRequest checked(request);
+    Result result = sample_checked(checked, asked);
+    result.edge = checked.edge();
     if (request.classes.names.size() == 1) result.classes.assign(result.points.size(), 0);
     return result;
 }

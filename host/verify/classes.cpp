@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "places/sets.h"
 #include "verify/closest_unlike.h"
 #include "verify/verify.h"
 
@@ -79,8 +80,10 @@ bool has_open_class(const Claim& claim) {
 }
 
 bool has_own_places(const Claim& claim) {
+    const auto is_own = [](const lacuna::Outline& outline) { return !outline.of_class.empty(); };
+    const std::vector<lacuna::Outline>& outlines = claim.places.outlines;
     return !claim.classes.borders.empty() || !claim.classes.masks.empty() ||
-           !claim.polygons_of_classes.empty();
+           std::any_of(outlines.begin(), outlines.end(), is_own);
 }
 
 Fields::Fields(const Domain& domain, const FieldParts& parts, const Claim& claim) {
@@ -91,12 +94,13 @@ Fields::Fields(const Domain& domain, const FieldParts& parts, const Claim& claim
     };
     const Classes& classes = claim.classes;
     const bool are_alike = !has_own_places(claim);
-    if (are_alike) add(parts, claim.polygons);
+    const places::Sets sets(claim.places, claim.domain, claim.border, classes);
+    if (are_alike) add(parts, sets[0]);
     for (std::size_t i = 0; !are_alike && i < classes.names.size(); ++i) {
         FieldParts own = parts;
         if (!classes.borders.empty()) own.border = classes.borders[i];
         if (!classes.masks.empty() && classes.masks[i] != nullptr) own.mask = classes.masks[i];
-        add(own, claim.polygons_of_classes.empty() ? claim.polygons : claim.polygons_of_classes[i]);
+        add(own, sets[i]);
     }
 }
 

@@ -225,12 +225,13 @@ private:
 }  // namespace
 }  // namespace verify
 
-Proof prove(std::span<const Point> points, const Claim& claim,
+Proof prove(std::span<const Point> points, const Claim& given,
             const std::function<bool()>& keep_going) {
     using namespace verify;
     const Patience patience(keep_going);
-    const double tolerance = tolerance_of(claim);
-    check_claim(claim, points.size(), tolerance);
+    const double tolerance = tolerance_of(given);
+    check_claim(given, points.size(), tolerance);
+    const Claim claim = settled(given);
     Proof proof;
     proof.tolerance = tolerance;
     proof.moved = first_moved(points, claim);
@@ -242,7 +243,7 @@ Proof prove(std::span<const Point> points, const Claim& claim,
                          .scale = size_of(claim),
                          .mask = claim.mask,
                          .polygons = {},
-                         .edge_tolerance = claim.edge_tolerance,
+                         .edge_tolerance = claim.places.edge.value_or(0),
                          .border = claim.border},
                         claim);
     const verify::RadiusField& radius_field = fields.any();

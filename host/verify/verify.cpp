@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "places/sets.h"
 #include "verify/neighbours.h"
 
 namespace lacuna::verify {
@@ -63,12 +64,14 @@ void check_stretches(const Claim& claim) {
         throw BadRequest("class", "with ellipses", "classes have disks");
 }
 
-void check_polygons(std::span<const PolygonSet> polygons) {
-    for (const PolygonSet& set : polygons) {
-        const char* const option = set.forbidden ? "outside" : "inside";
-        check_at_least_0("border", set.distance);
-        for (const PolygonRing& ring : set.rings) {
-            if (ring.size() < 3 && !(set.distance > 0 && !ring.empty()))
+void check_outlines(const Claim& claim) {
+    const bool has_border = claim.border > 0 || !claim.classes.borders.empty();
+    for (const lacuna::Outline& outline : claim.places.outlines) {
+        const std::string option(name_of(outline.role));
+        check_at_least_0("border", outline.distance.value_or(0));
+        for (const PolygonRing& ring : outline.polygons.rings) {
+            if (ring.size() < 3 &&
+                !((outline.distance.value_or(0) > 0 || has_border) && !ring.empty()))
                 throw BadRequest(option, "a ring of " + std::to_string(ring.size()) + " points",
                                  "must have at least 3");
             for (const Point& point : ring)
@@ -97,16 +100,19 @@ void check_places(const Claim& claim) {
     const Classes& classes = claim.classes;
     const std::size_t count = classes.names.size();
     for (const auto& [option, size] :
-         {std::pair{"border", classes.borders.size()}, std::pair{"mask", classes.masks.size()},
-          std::pair{"inside", claim.polygons_of_classes.size()}})
+         {std::pair{"border", classes.borders.size()}, std::pair{"mask", classes.masks.size()}})
         if (size != 0 && size != count)
             throw BadRequest(option, "for " + std::to_string(size) + " classes",
                              "must be for each of the " + std::to_string(count) + " classes");
     check_mask(claim.mask);
     for (const Mask* const mask : classes.masks) check_mask(mask);
-    check_polygons(claim.polygons);
-    for (const std::span<const PolygonSet> own : claim.polygons_of_classes) check_polygons(own);
-    check_at_least_0("edge", claim.edge_tolerance);
+    check_outlines(claim);
+    if (claim.places.edge) check_at_least_0("edge", *claim.places.edge);
+    if (claim.places.border_by_radius && claim.domain.wraps())
+        throw BadRequest("inside-by-radius", "with --torus", "a torus has no edges");
+    if (claim.places.border_by_radius && (claim.field != nullptr || claim.mask != nullptr))
+        throw BadRequest("inside-by-radius", "with --field or --mask",
+                         "is for disks of one size, or of one for each class, and for outlines");
     check_border(claim, claim.border);
     for (const double border : classes.borders) check_border(claim, border);
 }
@@ -252,8 +258,24 @@ void check_longest_ellipse(const Claim& claim, double longest_radius) {
 }
 
 bool is_uniform(const Claim& claim) {
-    return claim.field == nullptr && claim.mask == nullptr && claim.polygons.empty() &&
-           claim.border == 0 && claim.classes.names.empty();
+    return claim.field == nullptr && claim.mask == nullptr && claim.places.outlines.empty() &&
+           !claim.places.border_by_radius && claim.border == 0 && claim.classes.names.empty();
+}
+
+Claim settled(Claim claim) {
+    Places& places = claim.places;
+    const std::optional<double> radius =
+        claim.radius > 0 ? std::optional(claim.radius) : std::nullopt;
+    if (places.border_by_radius)
+        places::take_border_by_radius(radius, claim.domain, claim.border, claim.classes);
+    if (places.edge || places.outlines.empty()) return claim;
+    double least = claim.field != nullptr ? claim.scale : claim.radius;
+    if (least == 0) least = least_distance(claim.classes);
+    if (claim.field != nullptr)
+        least /= std::sqrt(
+            *std::max_element(claim.field->importance.begin(), claim.field->importance.end()));
+    places.edge = places::edge_of_radius(least);
+    return claim;
 }
 
 double tolerance_of(const Claim& claim) {

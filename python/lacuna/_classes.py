@@ -55,48 +55,21 @@ def classes_of(classes: ClassSizes | None, between: object) -> dict[str, Any]:
     return {"class_names": list(classes), "distances": distances, "weights": weights, **own}
 
 
-@dataclass(frozen=True)
-class Borders:
-    """The border of all points, those of the classes if they have their own, and whether they are
-    the radii of objects."""
-
-    of_all: float
-    of_classes: list[float] | None
-    are_radii: bool
-
-    @property
-    def each(self) -> list[float]:
-        """The border of each class, or the one of all."""
-        return [self.of_all] if self.of_classes is None else self.of_classes
-
-    @property
-    def options(self) -> dict[str, Any]:
-        own = {} if self.of_classes is None else {"borders": self.of_classes}
-        given = 0.0 if self.are_radii else self.of_all
-        radii = {"border_of_all": self.of_all, "inside_by_radius": self.are_radii}
-        return {"border": given, **radii, **own}
-
-
 def borders_of(
-    border: Border, inside_by_radius: object, kinds: dict[str, Any], radius: Any
-) -> Borders:
-    """The borders that these arguments say. ``radius`` is the least distance of two points."""
+    border: Border, inside_by_radius: object, kinds: dict[str, Any]
+) -> dict[str, Any]:
+    """The options of these arguments: one border, or one for each class."""
     names = kinds.get("class_names", [])
     if flag("inside_by_radius", inside_by_radius):
         if isinstance(border, Mapping) or real("border", border) != 0:
             raise BadRequest("border", "with inside_by_radius", "both say how far to stay")
-        least = 0.0 if radius is None else real("radius", radius)
-        if not names:
-            return Borders(least / 2, None, True)
-        own = kinds["distances"][:: len(names) + 1]
-        scale = least / min((one for one in kinds["distances"] if one > 0), default=1.0)
-        return Borders(0.0, [one * scale / 2 for one in own], True)
+        return {"border": 0.0, "inside_by_radius": True}
     if not isinstance(border, Mapping):
-        return Borders(real("border", border), None, False)
+        return {"border": real("border", border)}
     for name in border:
         if name not in names:
             raise BadRequest("border", shown(name), "must be the name of a class")
-    return Borders(0.0, [real("border", border.get(name, 0.0)) for name in names], False)
+    return {"border": 0.0, "borders": [real("border", border.get(name, 0.0)) for name in names]}
 
 
 def masks_of(

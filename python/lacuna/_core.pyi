@@ -12,7 +12,7 @@ Bytes = npt.NDArray[np.uint8]
 Options = dict[str, Any]
 Progress = Callable[[int, int], object]
 # The argument's name, rings, whether points lie outside of them, and at what distance.
-PolygonSet = tuple[str, list[Floats], bool, float]
+Outline = tuple[str, list[Floats], float | None, str, tuple[float, float] | None]
 
 class Field:
     @property
@@ -56,7 +56,7 @@ def sample(
     options: Options,
     field: Field | None,
     mask: Mask | None,
-    polygons: list[list[PolygonSet]],
+    places: list[Outline],
     keep: Floats | None,
     keep_classes: Bytes | None,
     progress: Progress | None,
@@ -86,7 +86,7 @@ def verify(
     options: Options,
     field: Field | None,
     mask: Mask | None,
-    polygons: list[list[PolygonSet]],
+    places: list[Outline],
     keep: Floats | None,
     keep_classes: Bytes | None,
     class_of: Bytes | None,
@@ -105,7 +105,7 @@ def write_points(
 def read_polygons(path: bytes, as_lines: bool) -> dict[str, Any]: ...
 def joined(rings: list[Floats]) -> list[Floats]: ...
 def domain_around(
-    polygons: list[PolygonSet],
+    places: list[Outline],
 ) -> tuple[float, float] | tuple[float, float, float, float]: ...
-def draw_mask(polygons: list[PolygonSet], options: Options) -> Mask: ...
+def draw_mask(places: list[Outline], options: Options) -> Mask: ...
 def devices() -> list[tuple[str, str, str, int, int, str]]: ...

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Iterable, Mapping, SupportsFloat
 import numpy as np
 
 from . import _core
-from ._arguments import corner_and_sides, options, path_bytes, points_array, real, shown
+from ._arguments import options, path_bytes, points_array, real, shown
 from ._errors import BadRequest
 
 if TYPE_CHECKING:
@@ -135,46 +135,20 @@ def read_lines(path: str | bytes | os.PathLike[Any]) -> Polygons:
     return _read(path, as_lines=True)
 
 
-class _Place:
-    """Rings of one argument, which are read once, and the distance that points keep from them. They
-    are for the points of one class, or for all."""
-
-    def __init__(
-        self,
-        argument: str,
-        given: object,
-        is_forbidden: bool,
-        distance: float,
-        kind: str | None = None,
-    ) -> None:
-        self.argument, self.is_forbidden, self.distance = argument, is_forbidden, distance
-        self.kind = kind
-        self.page = None
-        if isinstance(given, Polygons):
-            self.rings, self.page = list(given.rings), given.domain
-        elif isinstance(given, (str, bytes, os.PathLike)) or not isinstance(given, Iterable):
-            raise TypeError(
-                f"{argument} must be Polygons or a list of N x 2 arrays, not {shown(given)}"
-            )
-        else:
-            self.rings = [points_array(argument, ring) for ring in given]
-            if argument != "near":  # whose rings are lines
-                self.rings = _core.joined(self.rings)
-
-    def on(self, domain: Extent, torus: bool) -> _core.PolygonSet:
-        """The set for the library. A page is stretched over the domain; on a torus obstacles have
-        images on all sides."""
-        rings = self.rings
-        x0, y0, width, height = corner_and_sides(domain)
-        if self.page is not None:
-            scale = width / self.page[0], height / self.page[1]
-            with np.errstate(over="ignore", invalid="ignore"):  # the library refuses inf and NaN
-                rings = [(x0, y0) + ring * scale for ring in rings]
-        if torus and self.argument in ("avoid", "near"):
-            sides = (-1.0, 0.0, 1.0)
-            images = [np.multiply((i, j), (width, height)) for i in sides for j in sides]
-            rings = [ring + image for ring in rings for image in images]
-        return self.argument, rings, self.is_forbidden, self.distance
+def _outline(
+    argument: str, given: object, distance: float | None, kind: str | None = None
+) -> _core.Outline:
+    """Rings of one argument for the library, which are read once."""
+    page = None
+    if isinstance(given, Polygons):
+        rings, page = list(given.rings), given.domain
+    elif isinstance(given, (str, bytes, os.PathLike)) or not isinstance(given, Iterable):
+        raise TypeError(f"{argument} must be Polygons or a list of N x 2 arrays, not {shown(given)}")
+    else:
+        rings = [points_array(argument, ring) for ring in given]
+        if argument != "near":  # whose rings are lines
+            rings = _core.joined(rings)
+    return argument, rings, distance, kind or "", page
 
 
 def places_of(
@@ -182,14 +156,14 @@ def places_of(
     outside: object,
     avoid: object,
     near: object,
-    border: float = 0.0,
+    border: float | None = None,
     inner: str = "inside",
-) -> list[_Place]:
-    """The places of these arguments. ``border`` is the distance from outlines, and ``inner`` the
-    name of the first argument."""
+) -> list[_core.Outline]:
+    """The places of these arguments. ``border`` is the distance from outlines in place of the border
+    of points, and ``inner`` the name of the first argument."""
     places = [
-        _Place(argument, one, is_forbidden, border, kind)
-        for argument, is_forbidden, given in ((inner, False, inside), ("outside", True, outside))
+        _outline(argument, one, border, kind)
+        for argument, given in ((inner, inside), ("outside", outside))
         for kind, some in (given.items() if isinstance(given, Mapping) else [(None, given)])
         for one in _several(some)
     ]
@@ -207,8 +181,7 @@ def places_of(
             width = real(argument, distance)
             if not 0 < width < np.inf:
                 raise BadRequest(argument, f"{width}", "a distance must be a finite number over 0")
-            # A class with places of its own must be near, too, as it must avoid obstacles.
-            places.append(_Place(argument, lines, True, width))
+            places.append(_outline(argument, lines, width))
     return places
 
 
@@ -217,51 +190,6 @@ def _several(given: object) -> list[object]:
     if isinstance(given, (list, tuple)) and given and isinstance(given[0], Polygons):
         return list(given)
     return [] if given is None else [given]
-
-
-def around(places: list[_Place]) -> Extent:
-    """The domain of places: their first page, or else as far as they reach."""
-    page = next((place.page for place in places if place.page is not None), None)
-    if page is not None or not places:
-        return page or (1.0, 1.0)
-    return _core.domain_around([place.on((1.0, 1.0), False) for place in places])
-
-
-def sets_on(
-    asked: dict[str, Any],
-    places: list[_Place],
-    borders: list[float] | None = None,
-    are_radii: bool = False,
-) -> list[list[_core.PolygonSet]]:
-    """The sets of places on the domain of these options, for all points or for each class. Borders
-    are kept from outlines, and beyond the width of obstacles if they are the radii of objects."""
-    names: list[str] = asked.get("class_names", [])
-    own = {place.kind for place in places} - {None}
-    for name in own:
-        if name not in names:
-            raise BadRequest("inside", shown(name), "must be the name of a class")
-    each = borders or [0.0]
-    if own and len(each) == 1:
-        each = each * len(names)
-    sets = [(place, place.on(asked["domain"], asked["torus"])) for place in places]
-
-
-    def has_border(name: str) -> bool:
-        return name != "near" and (are_radii or name != "avoid")
-
-    of_classes = []
-    kinds: list[str | None] = [*names] or [None]
-    for border, kind in zip(each, kinds):
-        has_inside = any(one.kind == kind and not one.is_forbidden for one in places if own)
-        of_classes.append(
-            [
-                (name, rings, forbidden, width + (border if has_border(name) else 0.0))
-                for place, (name, rings, forbidden, width) in sets
-                if place.kind == kind
-                or (place.kind is None and (place.is_forbidden or not has_inside))
-            ]
-        )
-    return of_classes
 
 
 def domain_around(*places: Places) -> Extent:
@@ -295,7 +223,9 @@ def domain_around(*places: Places) -> Extent:
     >>> lacuna.domain_around([[(448000, 5411000), (450000, 5411000), (449000, 5412500)]])
     (448000.0, 5411000.0, 450000.0, 5412500.0)
     """
-    return around([_Place("places", one, False, 0.0) for all in places for one in _several(all)])
+    return _core.domain_around(
+        [_outline("places", one, None) for all in places for one in _several(all)]
+    )
 
 
 def draw_mask(
@@ -370,9 +300,14 @@ def draw_mask(
     distance = real("border", border)
     places = places_of(rings, outside, avoid, near, distance, "rings")
     asked = options(
-        domain=around(places) if domain is None else domain,
+        domain=_core.domain_around(places) if domain is None else domain,
         edge=edge,
         torus=torus,
         memory_limit=memory_limit,
     )
-    return _core.draw_mask(sets_on(asked, places)[0], asked).values.view(np.bool_)
+    try:
+        return _core.draw_mask(places, asked).values.view(np.bool_)
+    except BadRequest as error:
+        if error.argument != "inside":
+            raise
+        raise error.called("rings") from None

@@ -14,7 +14,7 @@ from ._arguments import MOST_64, importance_of, options, points_array, raster_in
 from ._arguments import shape_of, shown, watched, whole
 from ._classes import borders_of, classes_of, classes_of_points, masks_of
 from ._errors import BadRequest, MemoryRefused
-from ._polygons import around, places_of, sets_on
+from ._polygons import places_of
 from ._sets import PointSet, set_attributes
 
 if TYPE_CHECKING:
@@ -121,7 +121,7 @@ def sample(
         any of them.
     edge : float, optional
         How far inside of these outlines points may begin, in the unit of ``domain``; points never
-        lie outside. By default a sixteenth of the least radius; needed with ``n``.
+        lie outside. By default a sixteenth of the least radius, which is estimated for ``n``.
     border : float or dict of str to float
         Least distance of points to the domain's edges, in the unit of ``domain``, and to the
         outlines of ``inside`` and ``outside``; not on a torus. With classes a dict of the border of
@@ -273,13 +273,12 @@ def sample(
     kept = None if keep is None else points_array("keep", keep)
     kinds = classes_of(classes, between)
     allowed, own_masks, masks = masks_of(mask, kinds)
-    least = min((one for one in kinds.get("distances", ()) if one > 0), default=radius)
-    borders = borders_of(border, inside_by_radius, kinds, least)
+    borders = borders_of(border, inside_by_radius, kinds)
     places = places_of(inside, outside, avoid, near)
     if domain is None and on_pixels is not None:
         domain = raster_in("on_pixels", on_pixels)
     if domain is None:
-        domain = shape_of(importance, *masks) or around(places)
+        domain = shape_of(importance, *masks) or _core.domain_around(places)
     asked = options(
         radius=radius, n=n, scale=scale, metric=metric, domain=domain, on_pixels=on_pixels,
         torus=torus, mode=mode,
@@ -288,23 +287,22 @@ def sample(
         snap=snap, uniform_x=uniform_x, round_size=round_size, backend=backend, device=device,
         threads=threads, memory_limit=memory_limit,
     )  # fmt: skip
-    asked.update(kinds | borders.options | own_masks)
+    asked.update(kinds | borders | own_masks)
     arrays = {
         "field": field, "ellipses": ellipses, "mask": mask, "inside": inside, "outside": outside,
         "avoid": avoid, "near": near, "keep": keep, "classes": classes,
     }  # fmt: skip
     asked["given"] = [name for name, array in arrays.items() if array is not None]
-    sets = sets_on(asked, places, borders.each, borders.are_radii)
     own = keep._names_of_points() if isinstance(keep, PointSet) and kinds else None
     of_kept = classes_of_points("keep_classes", keep_classes, own, kinds, kept)
     with watched(progress) as told:
-        made = _core.sample(asked, importance, allowed, sets, kept, of_kept, told)
+        made = _core.sample(asked, importance, allowed, places, kept, of_kept, told)
     # The command names the files of these.
     where = allowed or own_masks or places or None
     files = {"keep": keep, "field": field, "ellipses": ellipses, "mask": where}
     said: dict[str, Any] = {name: "an array" for name, one in files.items() if one is not None}
-    if borders.are_radii:
-        said["inside_by_radius"] = made["_promised"]["inside_by_radius"] = True
+    if made["_promised"]["inside_by_radius"]:
+        said["inside_by_radius"] = True
     if kept is not None:
         said["kept"] = made["_promised"]["kept"]
         if neighbours := len(made["_promised"]["neighbours"]):

@@ -239,7 +239,7 @@ progress
     except FileError as error:
         if isinstance(image, (str, bytes, os.PathLike)):
             raise
-        raise BadRequest(str(error), "image") from None
+        raise BadRequest("image", "", str(error).removeprefix("image: ")) from None
     iterations = made.pop("iterations")
     said = {"inks": [ink.name for ink in palette]} if palette else {"field": "an array"}
     attributes = set_attributes(made, relax=iterations, **said)

@@ -9,9 +9,9 @@ import numpy as np
 
 from . import _core, _plots
 from ._arguments import flag, importance_of, options, points_array, shape_of, shown
-from ._classes import Borders, borders_of, classes_of, classes_of_points, masks_of
+from ._classes import borders_of, classes_of, classes_of_points, masks_of
 from ._errors import BadRequest
-from ._polygons import around, places_of, sets_on
+from ._polygons import places_of
 from ._sets import HasPoints, PointSet, domain_of
 
 if TYPE_CHECKING:
@@ -199,7 +199,7 @@ def verify(
     outside: PlacesOfClasses = None,
     avoid: Obstacles | None = None,
     near: Obstacles | None = None,
-    edge: SupportsFloat = 0,
+    edge: SupportsFloat | None = None,
     border: Border | None = None,
     inside_by_radius: bool | None = None,
     keep: npt.ArrayLike | None = None,
@@ -239,9 +239,9 @@ def verify(
         Obstacles and the distance that points keep from them, as of ``draw_mask``.
     near : list of (Polygons or iterable of array_like, float), optional
         What points lie near to, and how near, as of ``sample``.
-    edge : float
+    edge : float, optional
         Spots that are inside of the polygons by up to ``edge`` need not be covered. No point may
-        lie outside.
+        lie outside. By default that of the PointSet, else a sixteenth of the least radius.
     border, inside_by_radius
         As of ``sample``: no point may be closer to the domain's edges, nor to the outlines of
         ``inside`` and ``outside``. By default a PointSet's own.
@@ -319,15 +319,11 @@ def verify(
     else:
         size = _size(own, radius, scale, field is not None, ellipses is not None)
     if border is None and inside_by_radius is None:
-        of_classes = own.get("borders") if kinds else None
-        borders = Borders(
-            own.get("border", 0.0), of_classes or None, own.get("inside_by_radius", False)
-        )
+        promised = ("border", "inside_by_radius", *(["borders"] if kinds else []))
+        borders = {name: own[name] for name in promised if own.get(name)}
     else:
-        borders = borders_of(
-            0 if border is None else border, bool(inside_by_radius), kinds, size.get("radius")
-        )
-    if borders.are_radii and (importance is not None or masks):
+        borders = borders_of(0 if border is None else border, bool(inside_by_radius), kinds)
+    if borders.get("inside_by_radius") and (importance is not None or masks):
         raise BadRequest("inside_by_radius", "with a field, ellipses or a mask", "is for disks and outlines")
     places = places_of(inside, outside, avoid, near)
     if not flag("distances_only", distances_only):
@@ -339,15 +335,15 @@ def verify(
                 raise BadRequest(name, "missing", "the set was made with one: give it too")
     shape = None
     if domain is None and not isinstance(points, HasPoints):
-        shape = shape_of(importance, *masks) or around(places)
+        shape = shape_of(importance, *masks) or _core.domain_around(places)
     asked = options(
         **domain_of(points, domain, torus, shape),
         **size,
-        edge=edge,
+        edge=(own.get("edge") or None) if edge is None else edge,
         tolerance=tolerance,
         distances_only=distances_only,
     )
-    asked.update(kinds | borders.options | own_masks)
+    asked.update(kinds | borders | own_masks)
     kept, of_kept = np.empty((0, 2)), None
     if keep is not None:
         kept = points_array("keep", keep)
@@ -360,8 +356,7 @@ def verify(
     if kinds and class_of is None and of_points is None:
         raise BadRequest("class_of", "missing", "give the class of each point")
     numbers = classes_of_points("class_of", class_of, of_points, kinds, array)
-    sets = sets_on(asked, places, borders.each, borders.are_radii)
-    found = _core.verify(array, asked, importance, allowed, sets, kept, of_kept, numbers)
+    found = _core.verify(array, asked, importance, allowed, places, kept, of_kept, numbers)
     shown_points = array.view()
     shown_points.flags.writeable = False
     return Verdict(

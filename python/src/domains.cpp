@@ -13,8 +13,9 @@
 
 #include "arrays.h"
 #include "options.h"
+#include "outlines.h"
 #include "parts.h"
-#include "polygon_sets.h"
+#include "places/sets.h"
 #include "watch.h"
 
 namespace nb = nanobind;
@@ -63,27 +64,29 @@ nb::list joined_rings(const nb::list& given) {
     return all;
 }
 
-Mask mask_of(const nb::list& polygons, const nb::dict& given) {
-    PolygonSets sets(polygons);
-    const Domain domain = domain_in(given);
+Mask mask_of(const nb::list& given, const nb::dict& options) {
+    const Outlines outlines(given);
+    const Domain domain = domain_in(options);
     double edge = 0;
     std::uint64_t memory_limit_bytes = 0;
-    read(given, "edge", edge);
-    read(given, "memory_limit", memory_limit_bytes);
+    read(options, "edge", edge);
+    read(options, "memory_limit", memory_limit_bytes);
     const Unlocked unlocked;
-    return draw_mask(sets.copy(), domain, edge, memory_limit_bytes);
+    const places::Sets sets({.outlines = outlines.copy()}, domain, 0, {});
+    return draw_mask(sets[0], domain, edge, memory_limit_bytes);
 }
 
 nb::tuple domain_of(const nb::list& given) {
-    PolygonSets sets(given);
+    const Outlines outlines(given);
     Domain domain;
     Point most{};  // a sum of corner and sides would be rounded
     {
         const Unlocked unlocked;
-        domain = domain_around(sets.copy());
+        const Places places{.outlines = outlines.copy()};
+        domain = domain_around(places);
         most = {domain.x0, domain.y0};
-        for (const PolygonSet& set : sets.copy())
-            for (const PolygonRing& ring : set.rings)
+        for (const Outline& outline : places.outlines)
+            for (const PolygonRing& ring : outline.polygons.rings)
                 for (const Point& point : ring)
                     most = {std::max(most.x, point.x), std::max(most.y, point.y)};
     }

@@ -51,7 +51,7 @@ void raise(const char* type, const Parts&... parts) {
     PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
 }
 
-void raise(const char* type, const BadRequest& error) {
+void refuse(const char* type, const BadRequest& error) {
     raise(type, argument_called(error.option()), error.value(), error.reason());
 }
 
@@ -74,9 +74,9 @@ void translate(const std::exception_ptr& thrown, void*) {
     try {
         std::rethrow_exception(thrown);
     } catch (const MemoryRefused& error) {
-        raise("MemoryRefused", error);
+        refuse("MemoryRefused", error);
     } catch (const BadRequest& error) {
-        raise("BadRequest", error);
+        refuse("BadRequest", error);
     } catch (const Unavailable& error) {
         raise("Unavailable", error.what());
     } catch (const DeviceError& error) {

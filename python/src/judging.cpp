@@ -17,9 +17,9 @@
 #include "arrays.h"
 #include "background.h"
 #include "options.h"
+#include "outlines.h"
 #include "parts.h"
 #include "plan/sheets.h"
-#include "polygon_sets.h"
 #include "watch.h"
 
 namespace nb = nanobind;
@@ -56,8 +56,9 @@ Claim asked_claim(const nb::dict& given) {
     read_classes(given, claim.classes);
     read(given, "radius", claim.radius);
     read(given, "scale", claim.scale);
-    read(given, "border_of_all", claim.border);
-    read(given, "edge", claim.edge_tolerance);
+    read(given, "border", claim.border);
+    read(given, "edge", claim.places.edge);
+    read(given, "inside_by_radius", claim.places.border_by_radius);
     read(given, "tolerance", claim.tolerance);
     read(given, "distances_only", claim.distances_only);
     claim.distances_only |= !has_open_class(claim.classes);
@@ -108,11 +109,11 @@ nb::dict verdict_of(const Proof& proof, const Claim& claim) {
 }
 
 nb::dict verify_points(const PointArray& array, const nb::dict& given, const Field* field,
-                       const Mask* mask, const nb::list& polygons,
+                       const Mask* mask, const nb::list& places,
                        const std::optional<PointArray>& keep,
                        const std::optional<ClassArray>& keep_classes,
                        const std::optional<ClassArray>& class_of) {
-    std::vector<PolygonSets> sets = polygons_of_classes(polygons);
+    const Outlines outlines(places);
     Claim claim = asked_claim(given);
     std::vector<Point> kept;
     std::vector<std::uint8_t> of_points, of_kept;
@@ -122,9 +123,7 @@ nb::dict verify_points(const PointArray& array, const nb::dict& given, const Fie
         if (keep_classes) of_kept = classes_of(*keep_classes);
         claim.field = field;
         claim.mask = mask;
-        claim.polygons = sets.front().copy();
-        for (PolygonSets& one : sets)
-            if (sets.size() > 1) claim.polygons_of_classes.push_back(one.copy());
+        claim.places.outlines = outlines.copy();
         claim.keep = kept;
         claim.keep_classes = of_kept;
         claim.class_of_points = of_points;

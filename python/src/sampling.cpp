@@ -21,13 +21,12 @@
 
 #include "arrays.h"
 #include "options.h"
+#include "outlines.h"
 #include "parts.h"
 #include "plan/kept.h"
 #include "plan/radius_field.h"
 #include "plan/sheets.h"
 #include "plan/sizes.h"
-#include "polygon_sets.h"
-#include "recipes/classes.h"
 #include "recipes/settle.h"
 #include "sampling/on_pixels.h"
 #include "watch.h"
@@ -87,7 +86,10 @@ nb::dict promises_of(const Claim& claim) {
     if (!kept.classes.empty())
         of_neighbours.assign(kept.classes.begin() + members, kept.classes.end());
     promised["of_neighbours"] = array_of(std::move(of_neighbours));
-    promised["has_mask"] = claim.mask != nullptr || !claim.classes.masks.empty();
+    promised["inside_by_radius"] = claim.places.border_by_radius;
+    promised["edge"] = claim.places.edge.value_or(0);
+    promised["has_mask"] =
+        claim.mask != nullptr || !claim.classes.masks.empty() || !claim.places.outlines.empty();
     promised["has_field"] = claim.field != nullptr;
     promised["has_ellipses"] = claim.field != nullptr && !claim.field->stretches.empty();
     return promised;
@@ -178,57 +180,19 @@ void settle(const nb::dict& given, const recipes::Moves& moves, Request& request
     recipes::settle(asked, request);
 }
 
-// How far inside of outlines points may begin: a sixteenth of the least radius unless it is given.
-double edge_of(const nb::dict& given, const Request& request) {
-    std::optional<double> edge;
-    read(given, "edge", edge);
-    if (edge) return *edge;
-    if (request.on_pixels) return least_pixel_step(*request.on_pixels, request.domain) / 16;
-    std::optional<double> size = request.field != nullptr ? request.scale : request.radius;
-    if (!size && !request.count && !request.classes.names.empty())
-        size = least_distance_of(request.classes);
-    if (!size && request.count)
-        throw BadRequest("edge", "missing", "n has no radius, of which it is a sixteenth");
-    const double longer = request.domain.longer_side();
-    // If the radius is invalid, the check of the request refuses it.
-    if (!size || !(*size > 0) || !std::isfinite(*size)) return longer / 1000;
-    double least = *size;
-    if (request.field != nullptr)
-        least /= std::sqrt(
-            *std::max_element(request.field->importance.begin(), request.field->importance.end()));
-    if (least < kSmallestRadius * longer) {  // which would be refused as an edge
-        check_classes(request);
-        check_radius_field_size(request, *size, nobody_asks);
-    }
-    return least / 16;
-}
-
 // Samples, and moves the points if that is asked for. Returns the attributes of a PointSet.
 nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* mask,
-                       const nb::list& polygons, const std::optional<PointArray>& keep,
+                       const nb::list& places, const std::optional<PointArray>& keep,
                        const std::optional<ClassArray>& keep_classes, nb::object progress) {
     refuse_pairs(given);
     Request request = request_of(given);
     request.field = field;
     request.mask = mask;
-    read(given, "border_of_all", request.border);
-    if (given.contains("inside_by_radius") && nb::cast<bool>(given["inside_by_radius"]))
-        recipes::check_room_of_objects(request);
+    read(given, "edge", request.places.edge);
+    read(given, "inside_by_radius", request.places.border_by_radius);
     const recipes::Moves moves = moves_of(given);
     settle(given, moves, request);
-    std::vector<PolygonSets> sets = polygons_of_classes(polygons);
-    std::vector<Mask> places(sets.size());
-    if (!std::all_of(sets.begin(), sets.end(), [](const auto& one) { return one.are_none(); })) {
-        const double edge = edge_of(given, request);
-        const Unlocked unlocked;
-        for (std::size_t i = 0; i < sets.size(); ++i)
-            if (!sets[i].are_none())
-                places[i] = draw_places(sets[i].copy(), request.domain, edge,
-                                        request.place.memory_limit_bytes);
-        if (places.size() == 1) request.mask = &places.front();
-        for (const Mask& one : places)
-            if (places.size() > 1) request.classes.masks.push_back(one.drawn ? &one : nullptr);
-    }
+    const Outlines outlines(places);
     Watch watch(std::move(progress));
     recipes::Made set;
     std::vector<Ellipse> ellipses;
@@ -240,6 +204,7 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* ma
         if (keep_classes) of_kept = classes_of(*keep_classes);
         request.keep = kept;
         request.keep_classes = of_kept;
+        request.places.outlines = outlines.copy();
         set = recipes::make(request, moves, watch);
         if (field != nullptr && !field->stretches.empty())
             ellipses = ellipses_of(set.result.points, *field, set.result.scale, request.domain);

@@ -47,7 +47,6 @@ REFUSED: list[tuple[Callable[..., object], list[tuple[type[Exception], str, dict
             (TypeError, "device", {"radius": 0.1, "device": 1.5}),
             (ValueError, "memory_limit", {"radius": 0.1, "memory_limit": 0}),
             (TypeError, "progress", {"radius": 0.1, "progress": 3}),
-            (ValueError, "edge", {"n": 9, "inside": [TRIANGLE]}),
             (TypeError, "inside", {"radius": 0.1, "inside": "lakes.svg"}),
             (TypeError, "avoid", {"radius": 0.1, "avoid": [TRIANGLE]}),
             (ValueError, "mask", {"radius": 0.1, "mask": np.ones(3)}),

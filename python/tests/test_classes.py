@@ -163,7 +163,7 @@ def test_polygons_of_classes_hold_their_points_alone() -> None:
     found = lacuna.verify(made, inside={"trees": wet}, edge=0.02 / 16)
     assert found.forbidden_by == "inside" and made.class_of is not None
     assert made.classes[made.class_of[found.forbidden or 0]] == "trees"
-    with pytest.raises(lacuna.BadRequest, match="inside 'rocks': must be the name of a class"):
+    with pytest.raises(lacuna.BadRequest, match="inside rocks: is no class of this set"):
         lacuna.sample(classes=kinds, inside={"rocks": wet})
     of_all = lacuna.sample(classes=kinds, inside={None: wet}, domain=(1, 1), seed=2)
     same = lacuna.sample(classes=kinds, inside=wet, domain=(1, 1), seed=2)

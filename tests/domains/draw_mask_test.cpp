@@ -341,36 +341,34 @@ TEST(DrawnPlaces, HoldKeptPointsOnTheirOutlines) {
 }
 
 TEST(TheDomainAroundPlaces, ReachesAsFarAsTheyDo) {
-    const auto around = [](Point far, double distance = 0) {
-        const std::vector<PolygonRing> rings{{{0.2, 0.1}, {0.5, 0.2}, far}};
-        const PolygonSet set{.rings = rings, .distance = distance, .option = "lake"};
-        return domain_around(std::span(&set, 1));
+    const auto domain_of = [](std::vector<PolygonRing> rings, double distance = 0) {
+        return domain_around({.outlines = {{.polygons = {std::move(rings), {}},
+                                            .role = Role::outside,
+                                            .distance = distance}}});
+    };
+    const auto around = [&](Point far, double distance = 0) {
+        return domain_of({{{0.2, 0.1}, {0.5, 0.2}, far}}, distance);
     };
     EXPECT_EQ(around({0.3, 0.9}), Domain{});
     EXPECT_EQ(around({3, 0.9}), (Domain{3, 0.9}));
     EXPECT_EQ(domain_around({}), Domain{});
     // Far from (0, 0), or beyond it, the domain is the box.
     EXPECT_EQ(around({-0.3, 0.9}), (Domain{.width = 0.8, .height = 0.8, .x0 = -0.3, .y0 = 0.1}));
-    const std::vector<PolygonRing> map{{{448251, 5411932}, {448900, 5411950}, {448800, 5412400}}};
-    const PolygonSet far{.rings = map};
     // A plot of 2 m far away: doubles are too coarse for a domain of its size.
-    const std::vector<PolygonRing> plot{
-        {{448000.25, 5411000.5}, {448002.25, 5411000.5}, {448002.25, 5411001}}};
-    const PolygonSet small{.rings = plot};
-    EXPECT_EQ(domain_around(std::span(&small, 1)),
+    EXPECT_EQ(domain_of({{{448000.25, 5411000.5}, {448002.25, 5411000.5}, {448002.25, 5411001}}}),
               (Domain{.width = 8, .height = 8, .x0 = 448000.25, .y0 = 5411000.5}));
-    EXPECT_EQ(domain_around(std::span(&far, 1)),
+    EXPECT_EQ(domain_of({{{448251, 5411932}, {448900, 5411950}, {448800, 5412400}}}),
               (Domain{.width = 649, .height = 468, .x0 = 448251, .y0 = 5411932}));
-    const std::vector<PolygonRing> flat{{{448251, 5411932}, {448900, 5411932}}};
-    const PolygonSet line{.rings = flat};
     EXPECT_EQ(
-        tests::refusal_of([&] { domain_around(std::span(&line, 1)); }),
+        tests::refusal_of([&] {
+            domain_of({{{448251, 5411932}, {448900, 5411932}}});
+        }),
         "domain missing: the places given lie in [448251, 448900] x [5411932, 5411932], which "
         "has no area: give a domain that has one");
     EXPECT_EQ(tests::refusal_of([&] {
                   around({0.3, std::nan("")});
-              }).substr(0, 12),
-              "lake ring 0:");
+              }).substr(0, 15),
+              "outside ring 0:");
     EXPECT_EQ(tests::refusal_of([&] { around({0.3, 0.4}, -1); }).substr(0, 9), "border -1");
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "domains/picture_of_mask.h"
+#include "judge/places_of.h"
 
 namespace lacuna {
 namespace polygon_sets_test {
@@ -121,8 +122,7 @@ TEST(SetsOfPolygons, AreFilledAndProvenFull) {
         Claim claim;
         claim.radius = *request.radius;
         claim.domain = request.domain;
-        claim.polygons = sets;
-        claim.edge_tolerance = edge;
+        claim.places = tests::places_of(sets, edge);
         const Proof proof = prove(points, claim);
         ASSERT_TRUE(proof.maximal) << "case " << i << ", " << points.size() << " points, gap at "
                                    << proof.largest_gap.x << " " << proof.largest_gap.y;

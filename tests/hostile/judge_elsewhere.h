@@ -89,8 +89,7 @@ inline void judge_elsewhere(const Made& made, const std::vector<std::string>& ba
         demand(fault.empty(), fault);
         if (!sets.empty()) {
             claim.mask = nullptr;
-            claim.polygons = sets;
-            claim.edge_tolerance = made.edge;
+            claim.places = places_of(sets, made.edge);
         }
         if (set.points.size() < set.kept)
             claim.keep = claim.keep.first(set.points.size()),

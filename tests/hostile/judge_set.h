@@ -23,6 +23,7 @@
 #include "hostile/made.h"
 #include "judge/cells.h"
 #include "judge/judge.h"
+#include "judge/places_of.h"
 
 namespace lacuna::tests {
 
@@ -65,8 +66,7 @@ inline Claim claim_of(const Set& set) {
     claim.field = request.field;
     (request.field != nullptr ? claim.scale : claim.radius) = set.size;
     claim.mask = set.polygons.empty() ? request.mask : nullptr;
-    claim.polygons = set.polygons;
-    claim.edge_tolerance = set.edge;
+    claim.places = places_of(set.polygons, set.edge);
     claim.border = request.border;
     // A limit cuts kept points; then neighbours do not matter.
     const bool is_cut = set.points.size() < set.kept;

@@ -266,6 +266,17 @@ private:
         made.request.mask = &made.mask;
     }
 
+    // On a torus obstacles have images on all sides.
+    static void add_images(const Domain& domain, std::vector<PolygonRing>& rings) {
+        const std::vector<PolygonRing> own = rings;
+        for (const double across : {-domain.width, 0.0, domain.width})
+            for (const double up : {-domain.height, 0.0, domain.height})
+                for (PolygonRing ring : own) {
+                    for (Point& point : ring) point = {point.x + across, point.y + up};
+                    if (across != 0 || up != 0) rings.push_back(std::move(ring));
+                }
+    }
+
     // Returns false if the polygons leave nothing.
     bool choose_polygons(Made& made) {
         Request& request = made.request;
@@ -274,6 +285,8 @@ private:
         const double typical = std::sqrt(0.7 * area / most_points());
         made.edge = std::max(typical * std::pow(2, -choose_.in(1, 6)), std::sqrt(area) / 300);
         const auto add = [&](std::vector<PolygonRing> rings, PolygonSet set) {
+            if (domain.wraps() && (set.option == "avoid" || set.option == "near"))
+                add_images(domain, rings);
             made.rings.push_back(std::move(rings));
             set.rings = made.rings.back();
             made.polygons.push_back(std::move(set));

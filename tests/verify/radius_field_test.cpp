@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/polygons_of.h"
+#include "judge/places_of.h"
 
 namespace {
 
@@ -64,8 +64,8 @@ TEST(Polygons, LeaveAThinDomainBareWhereItIsFarFromTheirEdges) {
         Claim claim = unit_claim(0.33);
         claim.domain.width = 3.16;
         claim.domain.height = height;
-        claim.polygons = polygons_of(rings);
-        claim.edge_tolerance = 1.7 * height;
+        claim.places = tests::places_of(rings);
+        claim.places.edge = 1.7 * height;
         claim.border = std::uniform_real_distribution<double>(0.2, 0.25)(random) * height;
         const std::vector<Point> points{{0.32, 0.7 * height}, {0.75, 0.26 * height}};
         const Proof proof = prove(points, claim);
@@ -95,8 +95,8 @@ TEST(TheLargestGap, OnTheBorderOfTwoPixelsHasTheRadiusOfItsOwn) {
     claim.domain.height = 25.960626835818132;
     claim.field = &field;
     claim.scale = 5.8205682657952513;
-    claim.polygons = polygons_of(rings);
-    claim.edge_tolerance = 2.1141443558913072;
+    claim.places = tests::places_of(rings);
+    claim.places.edge = 2.1141443558913072;
     claim.border = 1.0028013007739024e-08;
     const std::vector<Point> points{
         {10.69488433251901, 13.05564567412701},    {1.915294664401761, 12.510053977451616},
@@ -113,19 +113,19 @@ TEST(TheLargestGap, OnTheBorderOfTwoPixelsHasTheRadiusOfItsOwn) {
 TEST(Polygons, NeedNoPointsNearTheirEdgesAndLetNoneLieOutside) {
     const std::vector<PolygonRing> rings{square(0.25, 0.75)};
     Claim claim = unit_claim(0.36);  // the middle of the square is 0.354 from a corner
-    claim.polygons = polygons_of(rings);
+    claim.places = tests::places_of(rings);
     EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
     EXPECT_FALSE(prove(std::vector<Point>{}, claim).covered);
     const Proof outside = prove(std::vector<Point>{{0.76, 0.5}}, claim);
     EXPECT_EQ(outside.forbidden, 0U);
     EXPECT_EQ(outside.forbidden_by, Proof::Closed::polygons);
-    claim.edge_tolerance = 0.011;
+    claim.places.edge = 0.011;
     EXPECT_EQ(prove(std::vector<Point>{{0.750001, 0.5}}, claim).forbidden, 0U);
     EXPECT_FALSE(prove(std::vector<Point>{{0.75, 0.5}}, claim).forbidden);
     // Spots that are inside by no more than the tolerance need not be covered.
     claim.radius = 0.34;
     EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
-    claim.edge_tolerance = 0.009;
+    claim.places.edge = 0.009;
     const Proof proof_of_gap = prove(std::vector<Point>{{0.5, 0.5}}, claim);
     EXPECT_FALSE(proof_of_gap.covered);
     EXPECT_NEAR(proof_of_gap.largest_gap_distance, std::sqrt(2) * 0.241, 1e-6);
@@ -134,12 +134,12 @@ TEST(Polygons, NeedNoPointsNearTheirEdgesAndLetNoneLieOutside) {
 TEST(APolygonInAPolygon, IsAHole) {
     const std::vector<PolygonRing> rings{square(0, 1), square(0.25, 0.75)};
     Claim claim = unit_claim(1.5);
-    claim.polygons = polygons_of(rings);
+    claim.places = tests::places_of(rings);
     EXPECT_EQ(prove(std::vector<Point>{{0.5, 0.5}}, claim).forbidden, 0U);
     EXPECT_TRUE(prove(std::vector<Point>{{0.1, 0.1}}, claim).maximal);
     // Rings that coincide enclose nothing.
     const std::vector<PolygonRing> twice{square(0.25, 0.75), square(0.25, 0.75)};
-    claim.polygons = polygons_of(twice);
+    claim.places = tests::places_of(twice);
     EXPECT_TRUE(prove(std::vector<Point>{}, claim).maximal);
     EXPECT_EQ(prove(std::vector<Point>{{0.5, 0.5}}, claim).forbidden, 0U);
 }
@@ -149,7 +149,7 @@ TEST(SeveralSetsOfPolygons, AllowPointsInAnyAndInNoneThatIsForbidden) {
         hole{square(0.45, 0.55)};
     const std::vector<PolygonSet> both{{low}, {high}};
     Claim claim = unit_claim(0.3);
-    claim.polygons = both;
+    claim.places = tests::places_of(both, 0);
     const auto forbidden = [&](Point point) {
         return prove(std::vector<Point>{point}, claim).forbidden.has_value();
     };
@@ -166,11 +166,11 @@ TEST(SeveralSetsOfPolygons, AllowPointsInAnyAndInNoneThatIsForbidden) {
     EXPECT_NEAR(proof.largest_gap.y, 0.55, 0.06);
 
     const std::vector<PolygonSet> three{{low}, {high}, {hole, true}};
-    claim.polygons = three;
+    claim.places = tests::places_of(three, 0);
     EXPECT_TRUE(forbidden({0.5, 0.5}));
     EXPECT_FALSE(forbidden({0.42, 0.5}));
     const std::vector<PolygonSet> only_hole{{hole, true}};
-    claim.polygons = only_hole;
+    claim.places = tests::places_of(only_hole, 0);
     EXPECT_TRUE(forbidden({0.5, 0.5}));
     EXPECT_FALSE(forbidden({0.1, 0.9}));
     // All but the hole lies within 0.72 of these.
@@ -247,14 +247,15 @@ TEST(AClaim, OfPlacesThatMakeNoSenseIsABadRequestThatNamesTheOption) {
     const std::vector<PolygonRing> whole{square(0, 1)};
     EXPECT_EQ(option_refused([&](Claim& claim) { claim.mask = &empty; }), "mask");
     EXPECT_EQ(option_refused([&](Claim& claim) { claim.mask = &short_of_one; }), "mask");
-    EXPECT_EQ(option_refused([&](Claim& claim) { claim.polygons = polygons_of(line); }), "inside");
-    EXPECT_EQ(option_refused([&](Claim& claim) { claim.polygons = polygons_of(broken); }),
+    EXPECT_EQ(option_refused([&](Claim& claim) { claim.places = tests::places_of(line); }),
+              "inside");
+    EXPECT_EQ(option_refused([&](Claim& claim) { claim.places = tests::places_of(broken); }),
               "inside");
     for (const double bad : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
         EXPECT_EQ(option_refused([&](Claim& claim) { claim.border = bad; }), "border");
         EXPECT_EQ(option_refused([&](Claim& claim) {
-                      claim.polygons = polygons_of(whole);
-                      claim.edge_tolerance = bad;
+                      claim.places = tests::places_of(whole);
+                      claim.places.edge = bad;
                   }),
                   "edge");
     }

@@ -148,7 +148,7 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& 
     claim.points = points;
     claim.options = options.domain;
     Request request = request_of(line, options, given, file, name, claim);
-    recipes::take_borders(claim.options.borders, claim.options.inside_by_radius, request);
+    recipes::take_borders(claim.options.borders, request);
     take_masks(given.files, request);
     claim.name = name;
     claim.meant_to_be_maximal = file.maximal.value_or(true);
@@ -166,15 +166,13 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& 
         claim.own_classes = classes_in(file, claim.classes, name);
         claim.classes_of_keep = classes_of_keep(request, given.files, options.domain.keep);
     }
-    claim.rings = rings_of(request, given.files);
-    claim.kinds = given.files.kinds;
-    claim.clearances = clearances_of(claim.options, request, given.files);
-    for (const Clearances& clearances : claim.clearances) {
-        if (clearances.empty()) continue;
-        const std::vector<PolygonSet> sets = sets_of(clearances, claim.kinds, claim.rings);
-        claim.edge_tolerance = given.files.edge =
-            edge_of(claim.options, request, sets, given.files);
-    }
+    claim.places = request.places;
+    claim.places.edge = claim.options.edge;
+    claim.places.border_by_radius = claim.options.inside_by_radius;
+    static_cast<Claim&>(claim) = verify::settled(claim);
+    request.border = claim.border;
+    request.classes.borders = claim.classes.borders;
+    given.files.edge = claim.places.edge.value_or(0);
     claim.given = json_of(options.domain, request, given.files);
     claim.tolerance = options.tolerance;
     claim.tolerance = verify::tolerance_of(claim);
@@ -247,11 +245,6 @@ void run(const CommandLine& line, const VerifyCommand& options) {
     bool all_hold = true;
     for (SetClaim& claim : claims) {
         // Now that `claims` does not move its elements any more.
-        for (const Clearances& clearances : claim.clearances)
-            claim.sets.push_back(sets_of(clearances, claim.kinds, claim.rings));
-        claim.polygons = claim.sets.front();
-        if (claim.sets.size() > 1)
-            claim.polygons_of_classes.assign(claim.sets.begin(), claim.sets.end());
         claim.class_of_points = claim.own_classes;
         claim.keep_classes = claim.classes_of_keep;
         claim.proof = prove(claim.points, claim);

@@ -55,14 +55,6 @@ void read_masks(const DomainOptions& options, const std::function<void(const Dom
 
 }  // namespace
 
-Polygons read_for(const std::string& option, const std::function<Polygons()>& read) {
-    try {
-        return read();
-    } catch (const BadRequest& error) {
-        throw BadRequest(option, error.value(), error.reason());
-    }
-}
-
 void take_shape(const Domain& shape, Request& request) {
     const Boundary boundary = request.domain.boundary;
     request.domain = shape;
@@ -112,40 +104,26 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
         request.field = &*files.field;
         if (!request.scale && !request.count) request.scale = 1;
     }
-    for (const std::vector<std::string>* paths : {&options.inside, &options.outside})
-        for (const std::string& text : *paths) {
-            const std::vector<std::string>& names = names_of_classes(options, request);
-            const auto& [own, path] = class_and_path(text, names);
-            files.own.push_back(own);
-            const bool forbidden = paths == &options.outside;
-            const char* const option = forbidden ? "outside" : "inside";
-            check_class_of_file(option, text, path, names);
-            const Polygons& polygons = files.polygons.emplace_back(
-                read_for(option, [&, file = path] { return read_polygons(file); }));
-            files.kinds.push_back({.forbidden = forbidden, .option = option, .name = shown(path)});
-            if (polygons.page) give_shape(*polygons.page);
-        }
-    for (const std::vector<std::string>* texts : {&options.avoid, &options.near})
+    std::vector<Outline>& outlines = request.places.outlines;
+    for (const auto& [role, texts] :
+         {std::pair{Role::inside, &options.inside}, std::pair{Role::outside, &options.outside},
+          std::pair{Role::avoid, &options.avoid}, std::pair{Role::near, &options.near}})
         for (const std::string& text : *texts) {
-            const bool near = texts == &options.near;
-            const char* const option = near ? "near" : "avoid";
-            for (Obstacles& obstacles : read_obstacles(option, text)) {
-                if (obstacles.lines.page) give_shape(*obstacles.lines.page);
-                const double distance = distance_on(request.domain, obstacles, option, text);
-                files.polygons.push_back(std::move(obstacles.lines));
-                files.own.emplace_back();
-                files.kinds.push_back({.forbidden = !near,
-                                       .distance = distance,
-                                       .near = near,
-                                       .option = option,
-                                       .name = shown(path_of_obstacles(text))});
+            const bool may_be_of_class = role == Role::inside || role == Role::outside;
+            const std::vector<std::string>& names = names_of_classes(options, request);
+            const auto& [own, path] =
+                may_be_of_class ? class_and_path(text, names) : std::pair(std::string(), text);
+            if (may_be_of_class) check_class_of_file(std::string(name_of(role)), text, path, names);
+            std::vector<Outline> read = read_outlines(role, path);
+            for (const Outline& one : read)
+                if (one.polygons.page) give_shape(*one.polygons.page);
+            stretch_strokes(text, request.domain, read);
+            for (Outline& one : read) {
+                one.of_class = own;
+                outlines.push_back(std::move(one));
             }
         }
-    if (!has_shape && !files.polygons.empty()) {
-        std::vector<PolygonSet> sets = files.kinds;
-        for (std::size_t i = 0; i < sets.size(); ++i) sets[i].rings = files.polygons[i].rings;
-        give_shape(domain_around(sets));
-    }
+    if (!has_shape && !outlines.empty()) give_shape(domain_around(request.places));
     read_masks(options, give_shape, request, files);
     recipes::take_size_of_classes(request);
     if (options.keep.empty()) return;
@@ -160,6 +138,19 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
     }
     request.keep = files.keep;
     request.keep_classes = files.keep_classes;
+}
+
+void read_domain_files(const CommandLine& line, const DomainOptions& options, Request& request,
+                       DomainFiles& files) {
+    read_given_files(line, options, request, files);
+    request.places.edge = options.edge;
+    request.places.border_by_radius = options.inside_by_radius;
+    recipes::take_borders(options.borders, request);
+    take_masks(files, request);
+    const Resolved resolved = resolve(request);
+    request = resolved.request;
+    files.masks = resolved.masks;
+    files.edge = resolved.edge;
 }
 
 void take_masks(const DomainFiles& files, Request& request) {
@@ -232,7 +223,7 @@ Json json_of(const DomainOptions& options, const Request& request, const DomainF
     add_paths("outside", options.outside);
     add_paths("avoid", options.avoid);
     add_paths("near", options.near);
-    if (!files.polygons.empty()) json["edge"] = files.edge;
+    if (files.edge != 0) json["edge"] = files.edge;
     json.update(json_of(request.classes));
     if (request.border != 0) json["border"] = request.border;
     if (options.inside_by_radius) json["inside_by_radius"] = true;

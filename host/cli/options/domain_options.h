@@ -79,29 +79,16 @@ std::vector<Ellipse> ellipses_of(const Request& request, const Result& result);
 // Throws BadRequest if an output has no place for the columns.
 void check_ellipse_columns(bool is_given, const std::vector<Output>& outputs);
 
-// Obstacles from which points keep a distance, --avoid, or to which they are near, --near: what a
-// file has at one distance.
-struct Obstacles {
-    Polygons lines;
-    double distance;
-    bool is_stroke = false;  // whether the distance, too, is in the unit of the page
-};
-
-// `text` is FILE, FILE:WIDTH or FILE:stroke, of the option. Points of a .csv have a column radius,
-// or all have the width; the lines and outlines of another file need one, or are strokes. Throws
-// BadRequest and FileError.
-std::vector<Obstacles> read_obstacles(const std::string& option, const std::string& text);
-
-// The distance in the unit of the domain, over which the page is stretched. Throws BadRequest if
-// strokes are stretched, too.
-double distance_on(const Domain& domain, const Obstacles& obstacles, const std::string& option,
-                   const std::string& text);
-
-// Calls read(), whose errors about the path shall name this option.
-Polygons read_for(const std::string& option, const std::function<Polygons()>& read);
-
+// The outlines in a file of an option: --inside, --outside, --avoid or --near. The text of the last
+// two is FILE, FILE:WIDTH or FILE:stroke. Points of a .csv have a column radius, or all have the
+// width; lines and outlines of another file need one, or are strokes. Throws BadRequest and
+// FileError.
+std::vector<Outline> read_outlines(Role role, const std::string& text);
 // FILE without the width.
 std::string path_of_obstacles(const std::string& text);
+// Gives strokes their distances in the unit of the domain, over which their page is stretched.
+// Throws BadRequest if strokes are stretched, too.
+void stretch_strokes(const std::string& text, const Domain& domain, std::span<Outline> outlines);
 
 // The options as given. An empty path means that the option was not given.
 struct DomainOptions {
@@ -120,24 +107,14 @@ struct DomainOptions {
     bool inside_by_radius = false;
 };
 
-// Which polygons and obstacles points stay away from, by their numbers in DomainFiles, and how far.
-using Clearances = std::vector<std::pair<std::size_t, double>>;
-
 // The contents of the files. The request points into it.
 struct DomainFiles {
     std::optional<Field> field;            // read from --field, or of the ellipses
-    std::optional<Mask> mask;              // drawn from the polygons
     std::map<std::string, Mask> pictures;  // of --mask, by the class that each is for; "": for all
-    // The polygons of --inside, then of --outside, then the lines of --avoid and --near. `kinds`
-    // has what else a PolygonSet says of each, such as the width of obstacles.
-    std::vector<Polygons> polygons;
-    std::vector<PolygonSet> kinds;
-    std::vector<std::string> own;  // of each of these: the class that it is for; empty: for all
-    std::map<Clearances, Mask>
-        masks_of_classes;  // drawn, where classes keep distances of their own
     std::vector<Point> keep;
     std::vector<std::uint8_t> keep_classes;
-    double edge = 0;  // how far the polygons' outline may be off
+    std::shared_ptr<const std::vector<Mask>> masks;  // drawn from outlines
+    double edge = 0;                                 // how far outlines may be off; 0: none
 };
 
 Targets targets_of(DomainOptions& options);
@@ -145,32 +122,16 @@ Targets targets_of(DomainOptions& options);
 // Gives the request this domain, but leaves its boundary.
 void take_shape(const Domain& shape, Request& request);
 
-// Reads the files and makes `request` point to their contents. Without --domain, the first of these
-// that is given decides the domain: the field's picture (longer side 1), the page of the polygons,
-// the mask (longer side 1). Draws no polygons. Throws BadRequest and files::FileError.
+// Reads the files, and gives `request` its places and what else they hold. Without --domain, the
+// first of these that is given decides the domain: the field's picture (longer side 1), the page of
+// the polygons, the mask (longer side 1). Throws BadRequest and files::FileError.
 void read_given_files(const CommandLine& line, const DomainOptions& options, Request& request,
                       DomainFiles& files);
 
 // Gives the request's classes their own pictures of --mask. Throws BadRequest.
 void take_masks(const DomainFiles& files, Request& request);
 
-// The clearances of each class if classes have borders or polygons of their own; otherwise those of
-// all.
-std::vector<Clearances> clearances_of(const DomainOptions& options, const Request& request,
-                                      const DomainFiles& files);
-
-// The rings of each file of polygons on the request's domain, and the sets that they are. The rings
-// must outlive the sets.
-std::vector<std::vector<PolygonRing>> rings_of(const Request& request, const DomainFiles& files);
-std::vector<PolygonSet> sets_of(const Clearances& clearances, std::span<const PolygonSet> kinds,
-                                std::span<const std::vector<PolygonRing>> rings);
-// How far the polygons' outline may be off: --edge, or a sixteenth of the least radius, which for a
-// count is estimated.
-double edge_of(const DomainOptions& options, const Request& request,
-               std::span<const PolygonSet> sets, const DomainFiles& files);
-
-// Does what read_given_files() does, and draws the polygons onto the request's mask. Without
-// --domain polygons that have no page must lie within the domain.
+// Does what read_given_files() does, and resolves the request's places.
 void read_domain_files(const CommandLine& line, const DomainOptions& options, Request& request,
                        DomainFiles& files);
 

@@ -113,8 +113,7 @@ std::string places(const SetClaim& claim) {
     for (const std::string& path : given.mask) append("mask", printable(path));
     const auto append_polygons = [&](std::string_view name, const std::vector<std::string>& paths) {
         for (const std::string& path : paths)
-            append(name,
-                   fmt::format("{}, to an edge of {}", printable(path), claim.edge_tolerance));
+            append(name, fmt::format("{}, to an edge of {}", printable(path), *claim.places.edge));
     };
     append_polygons("inside", given.inside);
     append_polygons("outside", given.outside);
@@ -180,7 +179,7 @@ std::string kind(const SetClaim& claim) {
     if (!claim.classes.names.empty())
         kind = fmt::format(" of {} classes{}", claim.classes.names.size(),
                            has_counts(claim.classes) ? " with their numbers of points" : "");
-    if (claim.mask != nullptr || !claim.classes.masks.empty() || !claim.rings.empty() ||
+    if (claim.mask != nullptr || !claim.classes.masks.empty() || !claim.places.outlines.empty() ||
         !borders(claim).empty())
         kind += " where points may lie";
     return kind;

@@ -28,10 +28,6 @@ struct SetClaim : Claim {
     nlohmann::ordered_json given;  // the options, for reports
     Extremes radii{};              // of the field; both are the radius if there is no field
     std::shared_ptr<const Field> own_field;       // of the ellipse that its file says all have
-    std::vector<std::vector<PolygonRing>> rings;  // of each file of polygons
-    std::vector<PolygonSet> kinds;                // of the rings, as in DomainFiles
-    std::vector<Clearances> clearances;           // of each class, or of all
-    std::vector<std::vector<PolygonSet>> sets;    // the same, once the claim has its place
     std::vector<std::uint8_t> own_classes;        // of the points
     std::vector<std::uint8_t> classes_of_keep;    // of the points to keep
     Proof proof;

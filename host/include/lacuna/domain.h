@@ -77,7 +77,7 @@ struct Mask {
     std::uint32_t rows = 0;               // pixels
     std::vector<std::uint8_t> allowed{};  // rows * columns values (0: no sample there); row by row,
                                           // row 0 is the top of the picture (largest y)
-    // Instead of `allowed`: what draw_places() of lacuna/domains.h has drawn. It takes memory in
+    // Instead of `allowed`: what draw_places() of lacuna/places.h has drawn. It takes memory in
     // proportion to the length of the outlines, whatever the number of pixels.
     std::shared_ptr<const DrawnMask> drawn{};
 };
@@ -97,9 +97,7 @@ struct PolygonSet {
     // Instead of all that: samples lie within the distance of the rings, of this set or of another
     // one that has them near.
     bool near = false;
-    // For messages: the option that the set comes from, by default inside or outside, and the file.
-    std::string option{};
-    std::string name{};
+    std::string option{};  // that it comes from, for messages; by default inside or outside
 };
 
 }  // namespace lacuna

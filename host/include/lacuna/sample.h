@@ -31,9 +31,11 @@
 
 #include <lacuna/domain.h>
 #include <lacuna/export.h>
+#include <lacuna/places.h>
 #include <lacuna/run.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -166,9 +168,11 @@ struct Request {
     std::optional<double> scale{};
     Metric metric = Metric::min;
 
-    // The next three work in mode exact only, the mask also in mode pixels. Together they say where
-    // samples may lie, and the set is maximal there. Samples lie on pixels of the mask that are not
-    // 0. It must outlive the call.
+    // The next four work in mode exact only, places and mask also in mode pixels. Together they say
+    // where samples may lie, and the set is maximal there, to within the edge of the places.
+    Places places{};
+    // In place of outlines: samples lie on pixels of the mask that are not 0. It must outlive the
+    // call.
     const Mask* mask = nullptr;
     // Least distance of samples to each edge of the domain, in its unit; in a box only, and under
     // half of its shorter side. 0: samples lie up to the edges.
@@ -220,6 +224,7 @@ struct Result {
     // classes the least distance of any two classes; the other distances are in proportion.
     double radius = 0;
     double scale = 0;  // with a field: the g asked for, or chosen for Request::count; else 0
+    double edge = 0;   // with outlines: Places::edge, as given or chosen
     std::uint32_t lines_per_radius = 0;  // the m asked for, or the mode's default
     bool maximal = false;  // false if limit or count ended the run while there was room
     // How many rounds (docs/design.md, section 3) the run took, and how many draws in all, whether
@@ -231,6 +236,16 @@ struct Result {
     Work work{};                  // in rounds and draws, as these are counted
     std::vector<Level> levels{};  // the finished levels of a progressive order
 };
+
+// A request whose outlines are drawn onto masks, and whose borders by radius are numbers.
+struct Resolved {
+    Request request;  // its places are empty; it points into the masks
+    double edge = 0;  // of the outlines; 0: there are none
+    std::shared_ptr<const std::vector<Mask>> masks{};
+};
+// What sample() does first. For who makes many sets of one request, or looks at the masks. Throws
+// BadRequest, also for an outline of a class that there is not.
+Resolved resolve(const Request& request);
 
 // Makes the set that `request` describes.
 // Throws BadRequest (also as MemoryRefused), Unavailable, DeviceError, Cancelled.

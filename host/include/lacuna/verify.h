@@ -20,9 +20,9 @@
 //     be longer than the shorter side.
 //   - A mask, polygons and a border say where points may lie, as in Request. A spot where no point
 //     may lie need not be covered. The same holds for spots nearer to an edge of polygons than
-//     Claim::edge_tolerance plus the distance that the set keeps from them. A
-//     line that two rings share is an edge of both. No point may lie outside, nor nearer than that
-//     distance; 4e-12 of the longer side are for the rounding of doubles.
+//     Places::edge plus the distance that the set keeps from them. A line that two rings share is
+//     an edge of both. No point may lie outside, nor nearer than that distance; 4e-12 of the longer
+//     side are for the rounding of doubles.
 //   - Samplers round the borders of pixels to the lines of a grid. So a point that is within 2^-28
 //     of the longer side of such a border counts as lying on both pixels. Its distances are checked
 //     with the smaller radius, and the spots that it covers with the larger one. With ellipses it
@@ -74,12 +74,10 @@ struct Claim {
     const Field* field = nullptr;
     double scale = 0;  // > 0; with classes it may be 0
 
-    // Where points may lie: on pixels of the mask that are not 0; where the polygons allow it, if
-    // there are any; and at least `border` away from the edges of a box. Mask and polygons must
-    // outlive the call.
+    // Where points may lie, as in Request. Spots nearer to outlines than Places::edge need no point;
+    // it may be 0. The mask must outlive the call, and must not be one that draw_places() has drawn.
+    Places places{};
     const Mask* mask = nullptr;
-    std::span<const PolygonSet> polygons{};
-    double edge_tolerance = 0;  // spots this near to the polygons' edges need no point
     double border = 0;
 
     // Classes of points, as in Request. No two points may be closer
@@ -88,9 +86,6 @@ struct Claim {
     // proportion, as in Request.
     Classes classes{};
     std::span<const std::uint8_t> class_of_points{};  // of each point: its place in the names
-    // Polygons of each class, in place of those above; empty: those are for all. The borders and
-    // masks of the classes count as in Request.
-    std::vector<std::span<const PolygonSet>> polygons_of_classes{};
 
     // As in Request: the points that the set begins with, equal to the bit, and its neighbours,
     // which lie outside of a box; these not with a field. They must outlive the call.
@@ -155,7 +150,7 @@ Proof prove(std::span<const Point> points, const Claim& claim,
 //   - Sets of mode stratified promise no more than Result::radius, which is 0 unless
 //     least_distance() or recipes set it; prove() refuses the claim of a radius of 0.
 // The field, mask and kept points of the request and the classes of the result must outlive the
-// claim. Polygons are not known to a request: they are claimed as the mask that they were drawn on.
+// claim.
 Claim claim_of(const Request& request, const Result& result);
 
 // The least distance of two points, as prove() computes it; infinite for fewer than two points.

@@ -3,8 +3,7 @@
 // The code does not use cairo. Which pixels lie inside must be the same on every machine and with
 // every version of a library; cairo rounds corners to 1/256 of a pixel and draws at most 32,767
 // pixels a side.
-#include <fmt/core.h>
-#include <lacuna/domains.h>
+#include <lacuna/places.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +17,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/number_text.h"
 #include "base/polling.h"
-#include "domains/draw_tree.h"
-#include "domains/rings.h"
-#include "files/read_whole.h"
+#include "places/draw_tree.h"
+#include "places/fair.h"
 #include "plan/corner.h"
 #include "plan/mask_tree.h"
+#include "plan/sizes.h"
 
 namespace lacuna {
 namespace {
@@ -40,18 +40,18 @@ double pixels_along(double length, double edge, double longer) {
     return std::max(1.0, std::ceil(length * std::sqrt(2.0) / (edge - longer * kRounding)));
 }
 
-domains::Canvas canvas_of(const Domain& domain, double edge) {
+places::Canvas canvas_of(const Domain& domain, double edge) {
     const auto is_a_side = [](double side) { return side >= 1e-100 && side <= 1e100; };
     if (!is_a_side(domain.width) || !is_a_side(domain.height))
         throw BadRequest("domain", text_of(domain), "the sides must lie between 1e-100 and 1e100");
     check_corner(domain);
     if (!std::isfinite(edge) || !(edge > 0))
-        throw BadRequest("edge", fmt::format("{}", edge), "must be a finite number greater than 0");
+        throw BadRequest("edge", shortest(edge), "must be a finite number greater than 0");
     const double longer = domain.longer_side();
     if (edge < longer * kLeastEdge)
-        throw BadRequest("edge", fmt::format("{}", edge),
-                         fmt::format("must be at least {:.2g}, the longer side / 2^24",
-                                     1.01 * longer * kLeastEdge));
+        throw BadRequest("edge", shortest(edge),
+                         "must be at least " + rounded(1.01 * longer * kLeastEdge, 2) +
+                             ", the longer side / 2^24");
     const auto along = [&](double length) {
         return static_cast<std::uint32_t>(pixels_along(length, edge, longer));
     };
@@ -60,18 +60,17 @@ domains::Canvas canvas_of(const Domain& domain, double edge) {
 
 [[noreturn]] void refuse_memory(double edge, const std::string& what, double most_bytes,
                                 double coarser) {
-    throw BadRequest("edge", fmt::format("{}", edge),
-                     fmt::format("takes a mask of {}, of which {:.3g} GB are allowed: must be "
-                                 "coarser, such as {:.2g}",
-                                 what, most_bytes / 1e9, coarser));
+    throw BadRequest("edge", shortest(edge),
+                     "takes a mask of " + what + ", of which " + rounded(most_bytes / 1e9, 3) +
+                         " GB are allowed: must be coarser, such as " + rounded(coarser, 2));
 }
 
 struct Extent {
     Point least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     Point most{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 
-    void add(const PolygonSet& set, double reach) {
-        for (const PolygonRing& ring : set.rings)
+    void add(std::span<const PolygonRing> rings, double reach) {
+        for (const PolygonRing& ring : rings)
             for (const Point& point : ring) {
                 least = {std::min(least.x, point.x - reach), std::min(least.y, point.y - reach)};
                 most = {std::max(most.x, point.x + reach), std::max(most.y, point.y + reach)};
@@ -83,16 +82,12 @@ struct Extent {
                least.y <= most.y - least.y;
     }
     std::string text() const {
-        return fmt::format("[{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]", least.x, most.x, least.y,
-                           most.y);
+        const auto side = [](double from, double to) {
+            return "[" + rounded(from, 10) + ", " + rounded(to, 10) + "]";
+        };
+        return side(least.x, most.x) + " x " + side(least.y, most.y);
     }
 };
-
-Extent extent_of(std::span<const PolygonSet> sets) {
-    Extent all;
-    for (const PolygonSet& set : sets) all.add(set, set.near ? set.distance : 0);
-    return all;
-}
 
 std::string option_of(const PolygonSet& set) {
     if (!set.option.empty()) return set.option;
@@ -101,18 +96,18 @@ std::string option_of(const PolygonSet& set) {
 
 void check(const PolygonSet& set) {
     if (!(set.distance >= 0 && std::isfinite(set.distance)))
-        throw BadRequest("border", fmt::format("{}", set.distance),
-                         "must be a finite number of at least 0");
+        throw BadRequest("border", shortest(set.distance), "must be a finite number of at least 0");
     for (std::size_t i = 0; i < set.rings.size(); ++i)
         for (const Point& point : set.rings[i])
-            if (ask_after(); !domains::is_fair(point))
-                throw BadRequest(option_of(set), fmt::format("ring {}", i),
-                                 fmt::format("({}, {}): {}", point.x, point.y, domains::kFair));
+            if (ask_after(); !places::is_fair(point))
+                throw BadRequest(option_of(set), "ring " + std::to_string(i),
+                                 "(" + shortest(point.x) + ", " + shortest(point.y) +
+                                     "): " + std::string(places::kFair));
 }
 
 // What a mask needs of the sets once they are drawn.
 std::shared_ptr<const DrawnMask> drawn(std::span<const PolygonSet> sets,
-                                       const domains::Canvas& canvas, MaskTree tree) {
+                                       const places::Canvas& canvas, MaskTree tree) {
     struct Owned {
         std::vector<std::vector<PolygonRing>> rings;
         std::vector<PolygonSet> sets;
@@ -136,7 +131,7 @@ std::shared_ptr<const DrawnMask> drawn(std::span<const PolygonSet> sets,
         const Point way = domain.from_corner(at);
         return pixels->at(pixel(way.x / domain.width, canvas.columns),
                           pixel(way.y / domain.height, canvas.rows)) != ALLOWED_NONE ||
-               domains::allow(owned->sets, at, may_touch);
+               places::allow(owned->sets, at, may_touch);
     };
     mask->holds = [holds](Point at) { return holds(at, false); };
     mask->keeps = [holds](Point at) { return holds(at, true); };
@@ -157,9 +152,16 @@ Domain large_enough(Domain box) {
 
 }  // namespace
 
-Domain domain_around(std::span<const PolygonSet> sets) {
-    for (const PolygonSet& set : sets) check(set);
-    const Extent all = extent_of(sets);
+Domain domain_around(const Places& places) {
+    Extent all;
+    for (const Outline& outline : places.outlines) {
+        if (outline.polygons.page) return *outline.polygons.page;
+        check({.rings = outline.polygons.rings,
+               .distance = outline.distance.value_or(0),
+               .option = std::string(name_of(outline.role))});
+        all.add(outline.polygons.rings,
+                outline.role == Role::near ? outline.distance.value_or(0) : 0);
+    }
     if (all.least.x >= 0 && all.least.y >= 0 && all.most.x <= 1 && all.most.y <= 1) return {};
     if (all.begins_near_0()) return {all.most.x, all.most.y};
     const Domain box{.width = all.most.x - all.least.x,
@@ -168,18 +170,18 @@ Domain domain_around(std::span<const PolygonSet> sets) {
                      .y0 = all.least.y};
     if (box.shorter_side() > 0) return large_enough(box);
     throw BadRequest("domain", "missing",
-                     fmt::format("the places given lie in {}, which has no area: give a domain "
-                                 "that has one",
-                                 all.text()));
+                     "the places given lie in " + all.text() +
+                         ", which has no area: give a domain that has one");
 }
 
 Mask draw_places(std::span<const PolygonSet> sets, const Domain& domain, double edge,
                  std::uint64_t memory_limit_bytes) {
-    const domains::Canvas canvas = canvas_of(domain, edge);
+    const places::Canvas canvas = canvas_of(domain, edge);
     for (const PolygonSet& set : sets) check(set);
-    const std::uint64_t most = memory_limit_bytes != 0 ? memory_limit_bytes : files::most_bytes();
+    const std::uint64_t most =
+        memory_limit_bytes != 0 ? memory_limit_bytes : machine_memory_bytes() / 4;
     std::optional<MaskTree> tree =
-        domains::draw_tree(sets, canvas, static_cast<std::size_t>(most / sizeof(MaskTree::Node)));
+        places::draw_tree(sets, canvas, static_cast<std::size_t>(most / sizeof(MaskTree::Node)));
     if (!tree) refuse_memory(edge, "more memory", static_cast<double>(most), 2 * edge);
     return {canvas.columns, canvas.rows, {}, drawn(sets, canvas, std::move(*tree))};
 }
@@ -192,15 +194,15 @@ Mask draw_mask(std::span<const PolygonRing> rings, const Domain& domain, double 
 
 Mask draw_mask(std::span<const PolygonSet> sets, const Domain& domain, double edge,
                std::uint64_t memory_limit_bytes) {
-    const domains::Canvas canvas = canvas_of(domain, edge);
-    const auto most =
-        static_cast<double>(memory_limit_bytes != 0 ? memory_limit_bytes : files::most_bytes());
+    const places::Canvas canvas = canvas_of(domain, edge);
+    const auto most = static_cast<double>(memory_limit_bytes != 0 ? memory_limit_bytes
+                                                                  : machine_memory_bytes() / 4);
     const double bytes = static_cast<double>(canvas.columns) * canvas.rows;
     if (bytes > most)  // 1 % more than needed, because both numbers of pixels are rounded up
-        refuse_memory(
-            edge,
-            fmt::format("{} x {} pixels, {:.3g} GB", canvas.columns, canvas.rows, bytes / 1e9),
-            most, edge * 1.01 * std::sqrt(bytes / most));
+        refuse_memory(edge,
+                      std::to_string(canvas.columns) + " x " + std::to_string(canvas.rows) +
+                          " pixels, " + rounded(bytes / 1e9, 3) + " GB",
+                      most, edge * 1.01 * std::sqrt(bytes / most));
     Mask mask = draw_places(sets, domain, edge, memory_limit_bytes);
     mask.allowed.resize(std::size_t{mask.columns} * mask.rows);
     mask.drawn->tree.for_each_allowed(

@@ -4,7 +4,7 @@
 // around it. Which side of the edges it lies on is found in its lowest row: it is inside if an odd
 // number of edges crosses the middle of that row to the left of the square. Most of these edges
 // cross all rows of some square around it: then their number is remembered, and not they.
-#include "domains/draw_tree.h"
+#include "places/draw_tree.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 
 #include "base/polling.h"
 
-namespace lacuna::domains {
+namespace lacuna::places {
 namespace {
 
 // An edge, cut off where it is far from the domain. Otherwise distances from long edges would lose
@@ -436,4 +436,4 @@ bool allow(std::span<const PolygonSet> sets, Point at, bool may_touch) {
     return (is_allowed || !has_inside) && (is_near || !has_near);
 }
 
-}  // namespace lacuna::domains
+}  // namespace lacuna::places

@@ -1,4 +1,4 @@
-// Reads obstacles.
+// Reads outlines: polygons and obstacles.
 #include "cli/options/domain_options.h"
 
 #include <fmt/core.h>
@@ -41,7 +41,8 @@ FileAndWidth file_and_width(const std::string& text) {
 
 // The points of a .csv, each with the width that was given, or the number in its column radius.
 // Without a header x and y come first.
-std::vector<Obstacles> read_disks(const std::string& option, const FileAndWidth& given) {
+std::vector<Outline> read_disks(Role role, const FileAndWidth& given) {
+    const std::string option(name_of(role));
     const std::string bytes = files::read_whole(given.path);
     const std::string name = files::name_of(given.path);
     files::CsvRows rows(bytes, name);
@@ -68,13 +69,23 @@ std::vector<Obstacles> read_disks(const std::string& option, const FileAndWidth&
             files::refuse(rows.place(), fmt::format("radius {}: must be at least 0", width));
         if (width > 0) by_radius[width].push_back({point});
     }
-    std::vector<Obstacles> all;
+    std::vector<Outline> all;
     all.reserve(by_radius.size());
-    for (auto& [width, rings] : by_radius) all.push_back({{std::move(rings)}, width});
-    if (option == "near" && all.empty())
+    for (auto& [width, rings] : by_radius) all.push_back({{std::move(rings), {}}, role, width, {}});
+    if (role == Role::near && all.empty())
         throw BadRequest(option, shown(name),
                          "must have a point with a distance over 0, or points may lie nowhere");
     return all;
+}
+
+// Calls read(), whose errors about the path shall name this option.
+template <class Read>
+Polygons read_for(const std::string& option, const Read& read) {
+    try {
+        return read();
+    } catch (const BadRequest& error) {
+        throw BadRequest(option, error.value(), error.reason());
+    }
 }
 
 }  // namespace
@@ -83,40 +94,46 @@ std::string path_of_obstacles(const std::string& text) {
     return file_and_width(text).path;
 }
 
-std::vector<Obstacles> read_obstacles(const std::string& option, const std::string& text) {
+std::vector<Outline> read_outlines(Role role, const std::string& text) {
+    const std::string option(name_of(role));
+    if (role == Role::inside || role == Role::outside)
+        return {{read_for(option, [&] { return read_polygons(text); }), role, {}, {}}};
     const FileAndWidth given = file_and_width(text);
+    const bool is_near = role == Role::near;
     if (given.width && !(*given.width > 0 && std::isfinite(*given.width)))
         throw BadRequest(option, shown(text),
-                         std::string(option == "near" ? "the distance" : "the width") +
+                         std::string(is_near ? "the distance" : "the width") +
                              " must be a finite number over 0");
     if (given.is_of_strokes) {
-        std::vector<Obstacles> all;
+        std::vector<Outline> all;
         for (domains::Strokes& strokes : domains::read_strokes(given.path, option))
-            all.push_back({std::move(strokes.lines), strokes.distance, true});
+            all.push_back({std::move(strokes.lines), role, strokes.distance, {}});
         return all;
     }
-    if (given.path.ends_with(".csv")) return read_disks(option, given);
+    if (given.path.ends_with(".csv")) return read_disks(role, given);
     Polygons lines = read_for(option, [&] { return read_lines(given.path); });
     if (!given.width)
         throw BadRequest(
             option, shown(text),
-            option == "near"
-                ? "needs a distance, as in FILE:2.5: how far points may be from its lines"
-                : "needs a width, as in FILE:2.5: how far points stay from its lines");
-    return {{std::move(lines), *given.width}};
+            is_near ? "needs a distance, as in FILE:2.5: how far points may be from its lines"
+                    : "needs a width, as in FILE:2.5: how far points stay from its lines");
+    return {{std::move(lines), role, *given.width, {}}};
 }
 
-double distance_on(const Domain& domain, const Obstacles& obstacles, const std::string& option,
-                   const std::string& text) {
-    if (!obstacles.is_stroke) return obstacles.distance;
-    const double along = domain.width / obstacles.lines.page->width;
-    const double up = domain.height / obstacles.lines.page->height;
-    constexpr double kRounding = 1e-9;
-    if (std::abs(along - up) > kRounding * std::max(along, up))
-        throw BadRequest(option, shown(text),
-                         "the domain must have the shape of the page, or strokes are not equally "
-                         "wide everywhere");
-    return along * obstacles.distance;
+void stretch_strokes(const std::string& text, const Domain& domain, std::span<Outline> outlines) {
+    for (Outline& outline : outlines) {
+        if (outline.role == Role::inside || outline.role == Role::outside ||
+            !file_and_width(text).is_of_strokes)
+            return;
+        const double along = domain.width / outline.polygons.page->width;
+        const double up = domain.height / outline.polygons.page->height;
+        constexpr double kRounding = 1e-9;
+        if (std::abs(along - up) > kRounding * std::max(along, up))
+            throw BadRequest(std::string(name_of(outline.role)), shown(text),
+                             "the domain must have the shape of the page, or strokes are not "
+                             "equally wide everywhere");
+        *outline.distance *= along;
+    }
 }
 
 }  // namespace lacuna::cli

@@ -1,7 +1,7 @@
 // Draws polygons onto the tree of a mask.
 #pragma once
 
-#include <lacuna/lacuna.h>
+#include <lacuna/places.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 #include "plan/mask_tree.h"
 
-namespace lacuna::domains {
+namespace lacuna::places {
 
 struct Canvas {
     Domain domain;
@@ -29,4 +29,4 @@ std::optional<MaskTree> draw_tree(std::span<const PolygonSet> sets, const Canvas
 // may lie on edges and at distances, too, as far as coordinates in double can say that they do.
 bool allow(std::span<const PolygonSet> sets, Point at, bool may_touch = false);
 
-}  // namespace lacuna::domains
+}  // namespace lacuna::places

@@ -1,0 +1,152 @@
+// Draws the outlines of a request onto masks, for all points or for each class.
+#include <lacuna/sample.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "places/sets.h"
+#include "plan/checked_request.h"
+#include "plan/radius_field.h"
+#include "plan/sheets.h"
+#include "plan/sizes.h"
+#include "sampling/on_pixels.h"
+
+namespace lacuna {
+namespace {
+
+double greatest_importance(const Request& request) {
+    if (request.field == nullptr) return 1;
+    check_importance(*request.field);
+    return *std::max_element(request.field->importance.begin(), request.field->importance.end());
+}
+
+// An edge for the estimate of an area: fine enough for the places to have some thousand pixels
+// along their outlines, whatever the extent of the domain.
+double coarse_edge(const Request& request, std::span<const PolygonSet> sets) {
+    constexpr double kSteps = 8192;
+    const double longer = request.domain.longer_side();
+    double length = 0;
+    for (const PolygonSet& set : sets)
+        for (const PolygonRing& ring : set.rings)
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Point& to = ring[(i + 1) % ring.size()];
+                length += std::hypot(to.x - ring[i].x, to.y - ring[i].y) + set.distance;
+            }
+    return std::clamp(length / kSteps, longer * 0x1p-23, longer / 1000);
+}
+
+// The places with a coarse outline. Where nothing is wide enough for it, with a finer one.
+Mask coarse_places(const Request& request, std::span<const PolygonSet> sets) {
+    constexpr double kLeast = 0x1p-22;  // of the longer side
+    const double longer = request.domain.longer_side();
+    double edge = coarse_edge(request, sets);
+    for (;; edge /= 4) {
+        Mask mask = draw_places(sets, request.domain, edge);
+        if (edge < longer * kLeast || allows_some(mask)) return mask;
+    }
+}
+
+// The least radius of the set. For a count it is the radius of a maximal set of this size.
+double least_radius(const Request& request, std::span<const PolygonSet> sets) {
+    if (request.on_pixels) return least_pixel_step(*request.on_pixels, request.domain);
+    const double greatest = greatest_importance(request);
+    if (request.radius) return *request.radius;
+    if (request.scale) return *request.scale / std::sqrt(greatest);
+    if (!request.count || *request.count == 0) return request.domain.longer_side() / 1000;
+    const Mask mask = coarse_places(request, sets);
+    Request trial = request;
+    if (allows_some(mask)) trial.mask = &mask;  // otherwise other classes decide, or nothing does
+    return radius_field_scale_for_count(trial, static_cast<double>(*request.count)) /
+           std::sqrt(greatest);
+}
+
+// A sixteenth of the least radius.
+double usual_edge(const Request& request, std::span<const PolygonSet> sets) {
+    const double edge = places::edge_of_radius(least_radius(request, sets));
+    // If the edge is invalid, so is the radius, and the check of the request will refuse that.
+    if (!(edge > 0) || !std::isfinite(edge)) return request.domain.longer_side() / 1000;
+    // A radius that is too small is refused before its sixteenth is refused as an edge.
+    if (edge < places::edge_of_radius(kSmallestRadius * request.domain.longer_side())) {
+        check_classes(request);
+        const std::optional<double>& size =
+            request.field != nullptr ? request.scale : request.radius;
+        if (size) check_radius_field_size(request, *size, nobody_asks);
+    }
+    return edge;
+}
+
+// A refusal of an edge that was not given says what it is.
+BadRequest without_edge(const BadRequest& error, const Request& request) {
+    return {"edge",
+            error.value() + (request.on_pixels ? " (by default a sixteenth of a pixel)"
+                                               : " (by default a sixteenth of the least radius)"),
+            error.reason()};
+}
+
+void take_border(Request& request) {
+    const auto refuse = [](const char* with, const char* why) {
+        throw BadRequest("inside-by-radius", with, why);
+    };
+    if (request.border != 0 || !request.classes.borders.empty())
+        refuse("with --border", "both say how far to stay");
+    if (request.count) refuse("with --count", "the radius must be known before: give it");
+    if (request.on_pixels) refuse("with --on-pixels", "its samples keep no distance");
+    if (request.field != nullptr)
+        refuse("with --field", "is for disks of one size, or of one for each class");
+    if (request.domain.wraps()) refuse("with --torus", "a torus has no edges");
+    check_classes(request);
+    places::take_border_by_radius(request.radius, request.domain, request.border, request.classes);
+}
+
+// Draws the sets of all points, or those of each class.
+std::vector<Mask> masks_of(const Request& request, const places::Sets& sets, double edge,
+                           bool is_given) {
+    std::vector<Mask> masks(sets.size());
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        const std::size_t first = sets.first_like(i);
+        if (first < i) masks[i] = masks[first];
+        if (first < i || sets[i].empty()) continue;
+        try {
+            masks[i] = draw_places(sets[i], request.domain, edge, request.place.memory_limit_bytes);
+        } catch (const BadRequest& error) {
+            if (is_given || error.option() != "edge") throw;
+            throw without_edge(error, request);
+        }
+    }
+    return masks;
+}
+
+}  // namespace
+
+Resolved resolve(const Request& given) {
+    Resolved resolved{.request = given};
+    Request& request = resolved.request;
+    const Places places = std::exchange(request.places, {});
+    if (places.border_by_radius) take_border(request);
+    if (places.outlines.empty()) return resolved;
+    Classes& classes = request.classes;
+    if (request.mask != nullptr || !classes.masks.empty())
+        throw BadRequest("mask", "with " + std::string(name_of(places.outlines.front().role)),
+                         "draw these into the picture");
+    if (!classes.names.empty() && !request.count) check_distances(classes);
+    std::optional<double>& size = request.field != nullptr ? request.scale : request.radius;
+    if (!classes.names.empty() && !size && !request.count) size = least_distance_of(classes);
+    const places::Sets sets(places, request.domain, request.border, classes);
+    resolved.edge = places.edge ? *places.edge : usual_edge(request, sets.most());
+    const auto masks = std::make_shared<const std::vector<Mask>>(
+        masks_of(request, sets, resolved.edge, places.edge.has_value()));
+    resolved.masks = masks;
+    if (masks->size() == 1) {
+        request.mask = &masks->front();
+        return resolved;
+    }
+    for (const Mask& mask : *masks) classes.masks.push_back(mask.drawn ? &mask : nullptr);
+    return resolved;
+}
+
+}  // namespace lacuna

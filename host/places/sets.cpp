@@ -1,0 +1,154 @@
+// Resolves outlines for a domain and its classes.
+#include "places/sets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "base/number_text.h"
+#include "base/polling.h"
+
+namespace lacuna {
+
+std::string_view name_of(Role role) {
+    switch (role) {
+        case Role::inside:
+            return "inside";
+        case Role::outside:
+            return "outside";
+        case Role::avoid:
+            return "avoid";
+        case Role::near:
+            return "near";
+    }
+    return "";
+}
+
+std::vector<PolygonRing> fitted(Polygons polygons, const Domain& domain) {
+    if (!polygons.page) return std::move(polygons.rings);
+    const double along = domain.width / polygons.page->width;
+    const double up = domain.height / polygons.page->height;
+    if (along == 1 && up == 1 && !domain.has_corner()) return std::move(polygons.rings);
+    for (PolygonRing& ring : polygons.rings)
+        for_each_polled(ring.size(), ask, [&](std::size_t i) {
+            ring[i] = domain.at({ring[i].x * along, ring[i].y * up});
+        });
+    return std::move(polygons.rings);
+}
+
+namespace places {
+namespace {
+
+// The least distance of two classes that is not 0; infinite if there is none.
+double least_of(const Classes& classes) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const double distance : classes.distances)
+        if (distance > 0) least = std::min(least, distance);
+    return least;
+}
+
+bool is_obstacle(Role role) {
+    return role == Role::avoid || role == Role::near;
+}
+
+// Adds the images of the rings around a torus.
+void repeat(const Domain& domain, std::vector<PolygonRing>& rings) {
+    const std::vector<PolygonRing> own = rings;
+    for (const int across : {-1, 0, 1})
+        for (const int up : {-1, 0, 1})
+            for (const PolygonRing& ring : own) {
+                if (across == 0 && up == 0) continue;
+                PolygonRing& image = rings.emplace_back(ring);
+                for (Point& point : image)
+                    point = {point.x + across * domain.width, point.y + up * domain.height};
+            }
+}
+
+}  // namespace
+
+Sets::Sets(const Places& places, const Domain& domain, double border, const Classes& classes) {
+    const std::vector<std::string>& names = classes.names;
+    const std::vector<Outline>& outlines = places.outlines;
+    bool are_alike = classes.borders.empty();
+    for (const auto& [polygons, role, distance, of_class] : outlines) {
+        if (name_of(role).empty())
+            throw BadRequest("inside", std::to_string(static_cast<long long>(role)),
+                             "must be Role::inside, outside, avoid or near");
+        are_alike &= of_class.empty();
+        if (!of_class.empty() && std::find(names.begin(), names.end(), of_class) == names.end())
+            throw BadRequest(std::string(name_of(role)), of_class, "is no class of this set");
+        rings_.push_back(fitted(polygons, domain));
+        if (is_obstacle(role) && domain.wraps()) repeat(domain, rings_.back());
+    }
+    kinds_.resize(are_alike ? 1 : names.size());
+    for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
+        const auto is_own = [&](const Outline& one) {
+            return !one.of_class.empty() && one.of_class == names[kind];
+        };
+        const bool has_inside = std::any_of(outlines.begin(), outlines.end(), [&](const auto& one) {
+            return one.role == Role::inside && is_own(one);
+        });
+        const double own_border = classes.borders.empty() ? border : classes.borders[kind];
+        for (std::size_t i = 0; i < outlines.size(); ++i) {
+            const Outline& one = outlines[i];
+            const bool is_for_all =
+                one.of_class.empty() && (one.role != Role::inside || !has_inside);
+            if (!is_for_all && !is_own(one)) continue;
+            const bool is_of_objects = places.border_by_radius && one.role == Role::avoid;
+            kinds_[kind].emplace_back(
+                i, is_obstacle(one.role)
+                       ? one.distance.value_or(0) + (is_of_objects ? own_border : 0)
+                       : one.distance.value_or(own_border));
+        }
+        for (std::vector<PolygonSet>& sets = sets_.emplace_back();
+             const auto& [i, distance] : kinds_[kind])
+            sets.push_back(
+                {.rings = rings_[i],
+                 .forbidden = outlines[i].role == Role::outside || outlines[i].role == Role::avoid,
+                 .distance = distance,
+                 .near = outlines[i].role == Role::near,
+                 .option = std::string(name_of(outlines[i].role))});
+    }
+}
+
+std::size_t Sets::first_like(std::size_t kind) const {
+    return static_cast<std::size_t>(std::find(kinds_.begin(), kinds_.end(), kinds_[kind]) -
+                                    kinds_.begin());
+}
+
+std::span<const PolygonSet> Sets::most() const {
+    return *std::max_element(sets_.begin(), sets_.end(),
+                             [](const auto& a, const auto& b) { return a.size() < b.size(); });
+}
+
+void take_border_by_radius(std::optional<double> radius, const Domain& domain, double& border,
+                           Classes& classes) {
+    const std::size_t count = classes.names.size();
+    const double shorter = domain.shorter_side();
+    // Without a radius, or with one that will be refused, there is no border.
+    const double size = radius.value_or(count == 0 ? 0 : least_of(classes));
+    const double half = size > 0 && std::isfinite(size) ? size / 2 : 0;
+    std::vector<double> radii(std::max<std::size_t>(1, count), half);
+    for (std::size_t i = 0; i < count; ++i)
+        radii[i] = classes.distances[i * (count + 1)] / least_of(classes) * half;
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+        if (!(radii[i] >= shorter / 2) || !(shorter > 0) || std::isinf(radii[i])) continue;
+        throw BadRequest("inside-by-radius",
+                         "with objects" + (count == 0 ? "" : " of class " + classes.names[i]),
+                         "their radius is " + shortest(radii[i]) +
+                             ": must be under half of the domain's shorter side, " +
+                             shortest(shorter / 2) + ", or there is no place for them");
+    }
+    if (count == 0)
+        border = radii.front();
+    else
+        classes.borders = std::move(radii);
+}
+
+double edge_of_radius(double least_radius) {
+    return least_radius / 16;  // keeps masks small, and the error well under the points' distance
+}
+
+}  // namespace places
+}  // namespace lacuna
