@@ -52,6 +52,19 @@ bool is_obstacle(Role role) {
     return role == Role::avoid || role == Role::near;
 }
 
+// The length of a unit of the page.
+double scale_of_page(const Polygons& polygons, Role role, const Domain& domain) {
+    if (!polygons.page) return 1;
+    const double along = domain.width / polygons.page->width;
+    const double up = domain.height / polygons.page->height;
+    constexpr double kRounding = 1e-9;
+    if (std::abs(along - up) > kRounding * std::max(along, up))
+        throw BadRequest(std::string(name_of(role)), "with strokes",
+                         "the domain must have the shape of the page, or strokes are not equally "
+                         "wide everywhere");
+    return along;
+}
+
 // Adds the images of the rings around a torus.
 void repeat(const Domain& domain, std::vector<PolygonRing>& rings) {
     const std::vector<PolygonRing> own = rings;
@@ -71,13 +84,15 @@ Sets::Sets(const Places& places, const Domain& domain, double border, const Clas
     const std::vector<std::string>& names = classes.names;
     const std::vector<Outline>& outlines = places.outlines;
     bool are_alike = classes.borders.empty();
-    for (const auto& [polygons, role, distance, of_class] : outlines) {
+    std::vector<double> scales;  // of distances
+    for (const auto& [polygons, role, distance, of_class, is_on_page] : outlines) {
         if (name_of(role).empty())
             throw BadRequest("inside", std::to_string(static_cast<long long>(role)),
                              "must be Role::inside, outside, avoid or near");
         are_alike &= of_class.empty();
         if (!of_class.empty() && std::find(names.begin(), names.end(), of_class) == names.end())
             throw BadRequest(std::string(name_of(role)), of_class, "is no class of this set");
+        scales.push_back(is_on_page ? scale_of_page(polygons, role, domain) : 1);
         rings_.push_back(fitted(polygons, domain));
         if (is_obstacle(role) && domain.wraps()) repeat(domain, rings_.back());
     }
@@ -96,10 +111,10 @@ Sets::Sets(const Places& places, const Domain& domain, double border, const Clas
                 one.of_class.empty() && (one.role != Role::inside || !has_inside);
             if (!is_for_all && !is_own(one)) continue;
             const bool is_of_objects = places.border_by_radius && one.role == Role::avoid;
-            kinds_[kind].emplace_back(
-                i, is_obstacle(one.role)
-                       ? one.distance.value_or(0) + (is_of_objects ? own_border : 0)
-                       : one.distance.value_or(own_border));
+            const double distance = one.distance            ? scales[i] * *one.distance
+                                    : is_obstacle(one.role) ? 0
+                                                            : own_border;
+            kinds_[kind].emplace_back(i, distance + (is_of_objects ? own_border : 0));
         }
         for (std::vector<PolygonSet>& sets = sets_.emplace_back();
              const auto& [i, distance] : kinds_[kind])

@@ -59,8 +59,7 @@ def test_tiles_of_one_frame_fit_side_by_side(as_iterator):
     seeds = range(30)
     given = iter(seeds) if as_iterator else seeds
     tiles = list(lacuna.sample_many(given, 0.08, torus=True, frame=0.12))
-    assert len(tiles) == 30
-    assert all(lacuna.verify(tile) for tile in tiles[:3])
+    assert len(tiles) == 30 and all(lacuna.verify(tile) for tile in tiles[:3])
     kept = tiles[0].report()["request"]["kept"]
     assert (tiles[0].points[:kept] == tiles[7].points[:kept]).all()
     assert not (tiles[0].points[kept] == tiles[7].points[kept]).all()

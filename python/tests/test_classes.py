@@ -69,8 +69,7 @@ def test_a_set_without_classes_has_none() -> None:
 
 def test_verify_proves_a_set_from_its_own_classes_or_those_given() -> None:
     made = lacuna.sample(classes=KINDS, between="union", torus=True, seed=3)
-    assert lacuna.verify(made).maximal
-    assert made.class_of is not None
+    assert lacuna.verify(made).maximal and made.class_of is not None
     names = [made.classes[one] for one in made.class_of]
     given = lacuna.verify(
         made.points, classes=KINDS, between="union", class_of=names, torus=True

@@ -70,8 +70,7 @@ def test_a_set_that_was_stopped_is_carried_on() -> None:
     for keep in (begun, begun.points.astype(">f8"), np.asfortranarray(begun.points)):
         made = lacuna.sample(0.05, keep=keep, seed=2)
         assert not begun.maximal and made.maximal
-        assert (made.points[:100] == begun.points).all()
-        assert lacuna.verify(made).maximal
+        assert (made.points[:100] == begun.points).all() and lacuna.verify(made).maximal
     assert len(lacuna.sample(n=400, keep=begun, seed=2)) == 400
     report: Any = made.report()["request"]
     assert report["kept"] == 100

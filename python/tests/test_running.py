@@ -18,8 +18,7 @@ import lacuna
 def test_progress_is_told_and_rises() -> None:
     told: list[tuple[int, int]] = []
     made = lacuna.sample(0.0008, seed=1, threads=1, progress=lambda *now: told.append(now))
-    assert told
-    assert all(0 <= done <= expected for done, expected in told)
+    assert told and all(0 <= done <= expected for done, expected in told)
     assert [done for done, _ in told] == sorted(done for done, _ in told)
     assert told[-1][0] <= len(made)
 

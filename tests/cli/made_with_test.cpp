@@ -78,7 +78,7 @@ std::vector<Capability> capabilities(const Folder& folder) {
              "--inside",
              {"--inside", ring, "--inside", wet, "--outside", pond}},
             {"strokes of a drawing",
-             {"--avoid", map + "#roads:stroke", "--radius", "2"},
+             {"--avoid", map + "#roads:stroke", "--radius", "2", "--domain", "120x80"},
              "--avoid",
              {"--avoid", map + "#roads:stroke"}},
             {"keep", joined(radius, {"--keep", kept}), ""},

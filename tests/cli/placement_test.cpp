@@ -256,10 +256,10 @@ TEST_F(Placement, OfStrokesAndObstaclesIsReadFromTheirFiles) {
         for (const Point& point : files::read_points(out))
             EXPECT_EQ(std::abs(point.x - 60) < 8, std::string(option) == "--near") << point.x;
     }
-    EXPECT_EQ(made({"--avoid", map + ":stroke", "--domain", "60x50"}),
-              "lacuna: --avoid " + map +
-                  ":stroke: the domain must have the shape of the page, or strokes are not equally "
-                  "wide everywhere\n");
+    EXPECT_EQ(
+        made({"--avoid", map + ":stroke", "--domain", "60x50"}),
+        "lacuna: --avoid with strokes: the domain must have the shape of the page, or strokes "
+        "are not equally wide everywhere\n");
     EXPECT_EQ(
         made({"--near", "a.txt:stroke"}),
         "lacuna: --near a.txt:stroke: must be an .svg, which says how wide its strokes are\n");

@@ -7,8 +7,8 @@
 #include <functional>
 #include <vector>
 
+#include "judge/places_of.h"
 #include "judge/plane.h"
-#include "verify/polygons_of.h"
 
 namespace {
 
@@ -120,7 +120,7 @@ TEST(Prove, AcceptsAGapThatIsOverTheLimitByAsMuchAsIsPromisedAndNoMore) {
              {"a field", 2, follow(even)},
              {"ellipses", 2, follow(round)},
              {"a mask", 2, [&](Claim&claim, double) { claim.mask = &all; }},
-             {"polygons", 2, [&](Claim&claim, double) { claim.polygons = polygons_of(square); }},
+             {"polygons", 2, [&](Claim&claim, double) { claim.places = tests::places_of(square); }},
              {"a border", 2, [](Claim&claim, double) { claim.border = 0.25; }, std::sqrt(0.125)},
              {"a kept point", 2,
               [&](Claim&claim, double) {

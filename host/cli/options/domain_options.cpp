@@ -117,7 +117,6 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
             std::vector<Outline> read = read_outlines(role, path);
             for (const Outline& one : read)
                 if (one.polygons.page) give_shape(*one.polygons.page);
-            stretch_strokes(text, request.domain, read);
             for (Outline& one : read) {
                 one.of_class = own;
                 outlines.push_back(std::move(one));

@@ -86,10 +86,6 @@ void check_ellipse_columns(bool is_given, const std::vector<Output>& outputs);
 std::vector<Outline> read_outlines(Role role, const std::string& text);
 // FILE without the width.
 std::string path_of_obstacles(const std::string& text);
-// Gives strokes their distances in the unit of the domain, over which their page is stretched.
-// Throws BadRequest if strokes are stretched, too.
-void stretch_strokes(const std::string& text, const Domain& domain, std::span<Outline> outlines);
-
 // The options as given. An empty path means that the option was not given.
 struct DomainOptions {
     Picture field;

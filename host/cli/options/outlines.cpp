@@ -107,7 +107,7 @@ std::vector<Outline> read_outlines(Role role, const std::string& text) {
     if (given.is_of_strokes) {
         std::vector<Outline> all;
         for (domains::Strokes& strokes : domains::read_strokes(given.path, option))
-            all.push_back({std::move(strokes.lines), role, strokes.distance, {}});
+            all.push_back({std::move(strokes.lines), role, strokes.distance, {}, true});
         return all;
     }
     if (given.path.ends_with(".csv")) return read_disks(role, given);
@@ -118,22 +118,6 @@ std::vector<Outline> read_outlines(Role role, const std::string& text) {
             is_near ? "needs a distance, as in FILE:2.5: how far points may be from its lines"
                     : "needs a width, as in FILE:2.5: how far points stay from its lines");
     return {{std::move(lines), role, *given.width, {}}};
-}
-
-void stretch_strokes(const std::string& text, const Domain& domain, std::span<Outline> outlines) {
-    for (Outline& outline : outlines) {
-        if (outline.role == Role::inside || outline.role == Role::outside ||
-            !file_and_width(text).is_of_strokes)
-            return;
-        const double along = domain.width / outline.polygons.page->width;
-        const double up = domain.height / outline.polygons.page->height;
-        constexpr double kRounding = 1e-9;
-        if (std::abs(along - up) > kRounding * std::max(along, up))
-            throw BadRequest(std::string(name_of(outline.role)), shown(text),
-                             "the domain must have the shape of the page, or strokes are not "
-                             "equally wide everywhere");
-        *outline.distance *= along;
-    }
 }
 
 }  // namespace lacuna::cli

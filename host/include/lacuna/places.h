@@ -50,6 +50,9 @@ struct Outline {
     // The class of points that it is for. Empty: for all. But a class with an inside of its own has
     // that in place of those for all.
     std::string of_class{};
+    // Whether the distance, too, is in the page's unit, as half of a drawn line's width is. The
+    // domain then must have the page's shape.
+    bool is_on_page = false;
 };
 
 struct Places {
