@@ -82,15 +82,13 @@ std::vector<Field> fields_of(const Pixels& pixels, const StippleOptions& options
                                options.black_ink.value_or(kBlackInk), options.paper_colour);
 }
 
-Set set_of(const Request& request, Result result) {
-    Set set;
+void take(const Request& request, Result result, Set& set) {
     set.points = std::move(result.points);
     set.domain = request.domain;
     set.radius = result.radius;
     set.mode = request.mode;
     set.seed = request.seed;
     set.maximal = result.maximal;
-    return set;
 }
 
 // What the options of a command line say.
@@ -141,7 +139,9 @@ Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tel
     const std::uint32_t relax = recipes::relax_of({.is_picture = true, .relax = options.relax});
     Teller teller(tell, relax);
     Stippling made = lacuna::stipple(fields_of(pixels, options), options, teller);
-    Set set = set_of(made.request, std::move(made.result));
+    Set set;
+    set.style = drawing::shown(made).style;
+    take(made.request, std::move(made.result), set);
     set.layers = std::move(made.layers);
     set.diameters = std::move(made.diameters);
     // A line has no dots, but files have columns for them: as wide as the pen of all inks.
@@ -150,11 +150,6 @@ Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tel
     if (options.path_line && options.pens && !have_pens)
         set.diameters.assign(set.points.size(), made.line_width);
     set.ellipses = std::move(made.ellipses);
-    set.style.are_strokes = made.are_strokes;
-    set.style.line_width = made.line_width;
-    set.style.sheet = made.paper;
-    set.style.paper_colour = made.paper_colour;
-    set.style.for_a_pen = made.is_for_a_pen;
     set.has_columns = options.paper || options.pens;
     if (made.plot_seconds != 0)
         set.plot =
@@ -189,7 +184,8 @@ Set sample(const Pixels& pixels, const Asked& asked, const Tell& tell) {
     const std::uint32_t relax = recipes::relax_of(asked.given);
     recipes::settle(asked.given, request);
     Teller teller(tell, relax);
-    Set set = set_of(request, recipes::make(request, {.iterations = relax}, teller).result);
+    Set set;
+    take(request, recipes::make(request, {.iterations = relax}, teller).result, set);
     if (relax != 0) set.radius = 0;  // dots are drawn as large as their number lets them be
     set.mask = std::move(mask);
     return set;

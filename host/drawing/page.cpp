@@ -76,6 +76,21 @@ Page page_of(const files::PointSet& set, const Style& style, double units_per_po
                      (height + set.domain.height * scale) / 2);
 }
 
+Shown shown(const Stippling& stippling) {
+    const Request& request = stippling.request;
+    Shown shown{{stippling.result.points, request.domain, stippling.result.radius}, {}};
+    shown.set.is_relaxed = stippling.iterations != 0;
+    shown.set.layers = stippling.layers;
+    shown.set.ellipses = stippling.ellipses;
+    shown.style.sheet = stippling.paper;
+    shown.style.diameters = stippling.diameters;
+    shown.style.are_strokes = stippling.are_strokes;
+    shown.style.line_width = stippling.line_width;
+    shown.style.paper_colour = stippling.paper_colour;
+    shown.style.for_a_pen = stippling.is_for_a_pen;
+    return shown;
+}
+
 double millimetres_per_unit(const files::PointSet& set, const Style& style) {
     if (!style.sheet)
         return kLongerSideInPoints / kPointsPerInch * kMillimetresPerInch /

@@ -38,6 +38,14 @@ struct Style {
     bool for_a_pen = false;
 };
 
+// A set with the style in which it is drawn. It refers to what it was made of.
+struct Shown {
+    files::PointSet set;
+    Style style;
+};
+// The dots of a picture, as files show them.
+Shown shown(const Stippling& stippling);
+
 // The length of a unit of the domain on the page.
 double millimetres_per_unit(const files::PointSet& set, const Style& style);
 

@@ -144,10 +144,8 @@ void run(const CommandLine& line, const MaskCommand& options) {
     const std::string of_frames =
         options.frames ? fmt::format(" in {} frame{}", mask.frames, mask.frames == 1 ? "" : "s")
                        : "";
-    const std::string summary =
-        fmt::format("{} thresholds of {} bits{} -> {}", numbers.size(), options.bits, of_frames,
-                    fmt::join(options.output.paths, ", "));
-    std::fputs((printable(summary) + "\n").c_str(), stderr);
+    print_last(fmt::format("{} thresholds of {} bits{} -> {}", numbers.size(), options.bits,
+                           of_frames, fmt::join(options.output.paths, ", ")));
 }
 
 // Where the value of each option goes.

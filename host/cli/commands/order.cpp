@@ -70,10 +70,8 @@ void run(const CommandLine& line, const OrderCommand& options) {
     Writing writing(interruption);
     write_set(writing, drawing, outputs, set, style_of(drawing, request.domain),
               [&] { return dots_of(request, points, drawing::Spread::even); });
-    if (options.common.quiet || has_standard_output(outputs)) return;
-    const std::string summary =
-        fmt::format("{} points, in order -> {}", points.size(), paths_of(outputs));
-    std::fputs((printable(summary) + "\n").c_str(), stderr);
+    sum_up({outputs, options.common.report, options.common.quiet},
+           fmt::format("{} points, in order", points.size()));
 }
 
 // Where the value of each option goes.

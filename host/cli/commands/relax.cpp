@@ -82,19 +82,6 @@ Json json_of(const RelaxCommand& options, const Request& request) {
     return json;
 }
 
-void sum_up(const RelaxCommand& options, const std::vector<Output>& outputs, const Made& made,
-            const Relaxation& relaxation) {
-    const CommonOptions& common = options.common;
-    if (common.quiet || has_standard_output(outputs) || is_standard_output(common.report)) return;
-    const std::string steps =
-        options.moves.gaussian == 0 ? "" : fmt::format(", {} steps", options.moves.gaussian);
-    const std::string summary =
-        fmt::format("{} points, {} iterations{}, {:.3f} s, {} -> {}", made.result.points.size(),
-                    options.moves.iterations, steps, made.seconds, relaxation.relaxed.backend,
-                    paths_of(outputs));
-    std::fputs((printable(summary) + "\n").c_str(), stderr);
-}
-
 void run(const CommandLine& line, const RelaxCommand& options) {
     const std::vector<Output> outputs = check(line, options);
     const DrawingOptions drawing = checked_drawing(line, options.drawing, outputs);
@@ -122,7 +109,11 @@ void run(const CommandLine& line, const RelaxCommand& options) {
         });
     write_set(writing, drawing, outputs, set, style,
               [&] { return dots_of(request, set.points, drawing::Spread::even); });
-    sum_up(options, outputs, made, relaxation);
+    const std::string steps =
+        options.moves.gaussian == 0 ? "" : fmt::format(", {} steps", options.moves.gaussian);
+    sum_up({outputs, common.report, common.quiet},
+           fmt::format("{} points, {} iterations{}, {:.3f} s, {}", set.points.size(),
+                       options.moves.iterations, steps, made.seconds, relaxation.relaxed.backend));
 }
 
 // Where the value of each option goes.

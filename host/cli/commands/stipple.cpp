@@ -253,15 +253,9 @@ std::vector<Point> run_one(const CommandLine& line, const StippleCommand& all) {
 
     const Json asked = json_of(all, options, dots);
     const files::Origin origin = origin_of(line, request, made.result, asked);
-    drawing::Style style = style_of(drawing, request.domain);
-    style.sheet = dots.paper;
-    style.are_strokes = dots.are_strokes;
-    style.line_width = dots.line_width;
-    style.paper_colour = options.paper_colour;
-    style.for_a_pen = dots.is_for_a_pen;
-    files::PointSet set{made.result.points, request.domain, made.result.radius, &origin};
-    set.layers = dots.layers;
-    set.ellipses = dots.ellipses;
+    auto [set, style] = drawing::shown(dots);
+    style.pixels_per_inch = all.pixels_per_inch;
+    set.origin = &origin;
     set.writes_ellipses = all.ellipse_columns;
     Writing writing(interruption);
     if (!common.report.empty())

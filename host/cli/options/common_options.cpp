@@ -81,8 +81,9 @@ std::string words_of(std::span<const files::Layer> layers) {
 void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, const Made& made,
             const std::string& what, const std::string& note, const std::string& more) {
     const Result& result = made.result;
-    const bool is_on_screen = has_standard_output(outputs) || is_standard_output(options.report);
-    if (options.quiet || (is_on_screen && !result.points.empty())) return;
+    // A set without points is said to be one, also on the screen.
+    const Written written{outputs, options.report, options.quiet};
+    if (options.quiet || (written.is_on_screen() && !result.points.empty())) return;
     // The radius or scale that was chosen for --count or for stipple's default number of dots.
     // After relaxing the radius may be 0, which means not known.
     std::string size;
@@ -102,10 +103,9 @@ void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, co
     std::string rounds;
     if (result.rounds > 0)
         rounds = fmt::format(", {} round{}", result.rounds, result.rounds == 1 ? "" : "s");
-    const std::string summary =
-        fmt::format("{} {}{}{}{}{}, {:.3f} s, {}{} -> {}", count, what, count == 1 ? "" : "s", note,
-                    size, rounds, made.seconds, result.backend, more, paths_of(outputs));
-    std::fputs((printable(summary) + "\n").c_str(), stderr);
+    print_last(fmt::format("{} {}{}{}{}{}, {:.3f} s, {}{} -> {}", count, what,
+                           count == 1 ? "" : "s", note, size, rounds, made.seconds, result.backend,
+                           more, paths_of(outputs)));
 }
 
 }  // namespace lacuna::cli

@@ -101,11 +101,7 @@ void add(ManyMade& all, Result set) {
     all.last = std::move(set);
 }
 
-void sum_up(const CommonOptions& options, const ManyMade& all, const Request& request) {
-    if (options.quiet || is_standard_output(options.report)) return;
-    std::string paths;
-    for (const std::string& path : options.output.paths)
-        paths += (paths.empty() ? "" : ", ") + path;
+std::string words_of(const CommonOptions& options, const ManyMade& all, const Request& request) {
     const std::string counts = all.least == all.most ? fmt::format("{}", all.least)
                                                      : fmt::format("{} to {}", all.least, all.most);
     std::string maximal;
@@ -113,10 +109,9 @@ void sum_up(const CommonOptions& options, const ManyMade& all, const Request& re
         maximal = ", not maximal";
     else if (all.maximal != 0 && all.maximal < all.sets)
         maximal = fmt::format(", {} of them maximal", all.maximal);
-    const std::string summary = fmt::format(
-        "{} set{} of {} points{}{}, {:.3f} s, {} -> {}", all.sets, all.sets == 1 ? "" : "s", counts,
-        words_of_places(request), maximal, all.seconds, all.last.backend, paths);
-    std::fputs((printable(summary) + "\n").c_str(), stderr);
+    return fmt::format("{} set{} of {} points{}{}, {:.3f} s, {}", all.sets,
+                       all.sets == 1 ? "" : "s", counts, words_of_places(request), maximal,
+                       all.seconds, all.last.backend);
 }
 
 }  // namespace
@@ -222,7 +217,7 @@ void sample_seeds(const CommandLine& line, const CommonOptions& options,
             return many_report(shared, made, decides);
         });
     writing.write();
-    sum_up(options, made, shared);
+    sum_up({outputs, options.report, options.quiet}, words_of(options, made, shared));
 }
 
 }  // namespace lacuna::cli

@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
+#include <cstdio>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "base/number_text.h"
+#include "cli/terminal/run_program.h"
 #include "files/links.h"
 
 namespace lacuna::cli {
@@ -108,6 +110,15 @@ bool is_stream(const std::string& path) {
 
 bool is_standard_output(const std::string& path) {
     return path == "-" || files::descriptor_named(path) == STDOUT_FILENO;
+}
+
+void print_last(const std::string& line) {
+    std::fputs((printable(line) + "\n").c_str(), stderr);
+}
+
+void sum_up(const Written& written, const std::string& what) {
+    if (written.is_quiet || written.is_on_screen()) return;
+    print_last(what + " -> " + paths_of(written.outputs));
 }
 
 std::string paths_of(const std::vector<Output>& outputs) {

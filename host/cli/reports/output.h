@@ -51,6 +51,21 @@ std::string loss_of_columns(const std::vector<Output>& outputs);
 // The paths for a summary, with commas between them.
 std::string paths_of(const std::vector<Output>& outputs);
 
+// What a command was asked to write, and whether it says so at the end.
+struct Written {
+    const std::vector<Output>& outputs;
+    const std::string& report;  // its path; may be empty
+    bool is_quiet;
+
+    // Whether standard output, which may be the terminal, has points or the report.
+    bool is_on_screen() const { return has_standard_output(outputs) || is_standard_output(report); }
+};
+// The last line of a command on standard error: what was made, and the paths of the outputs.
+// Nothing if it is quiet or on the screen.
+void sum_up(const Written& written, const std::string& what);
+// Prints the line.
+void print_last(const std::string& line);
+
 // Throws files::FileError if the file cannot be made or written.
 void check_writable(const std::string& path);
 

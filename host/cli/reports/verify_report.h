@@ -27,9 +27,9 @@ struct SetClaim : Claim {
     DomainOptions options;
     nlohmann::ordered_json given;  // the options, for reports
     Extremes radii{};              // of the field; both are the radius if there is no field
-    std::shared_ptr<const Field> own_field;       // of the ellipse that its file says all have
-    std::vector<std::uint8_t> own_classes;        // of the points
-    std::vector<std::uint8_t> classes_of_keep;    // of the points to keep
+    std::shared_ptr<const Field> own_field;     // of the ellipse that its file says all have
+    std::vector<std::uint8_t> own_classes;      // of the points
+    std::vector<std::uint8_t> classes_of_keep;  // of the points to keep
     Proof proof;
     std::vector<Level> levels;  // of a progressive order
     std::string fault;          // of the first level that does not hold, or empty
