@@ -82,9 +82,10 @@ def run(*words: str, seconds: float) -> tuple[int, str]:
     return done.returncode, done.stdout.decode(errors="replace")
 
 
-def verdict_of(build: str, tests: list[str]) -> str | None:
+def verdict_of(build: str, targets: list[str], tests: list[str]) -> str | None:
     """The first test that fails, 'none', or null if the build refuses the fault."""
-    if run("cmake", "--build", build, seconds=3600)[0] != 0:
+    wanted = ["--target", *targets] if targets else []
+    if run("cmake", "--build", build, *wanted, seconds=3600)[0] != 0:
         return None
     failed, told = run(
         "ctest", "--test-dir", build, "-j2", "--stop-on-failure", *tests, seconds=3600
@@ -101,6 +102,7 @@ def main() -> None:
     parser.add_argument("--faults", type=int, default=30)
     parser.add_argument("--skip", type=int, default=0, help="draws that are made and not tried")
     parser.add_argument("--build", default="build")
+    parser.add_argument("--targets", nargs="*", default=[], help="built in place of all")
     parser.add_argument("tests", nargs="*", help="more arguments for ctest, after --")
     given = parser.parse_args()
     rng = random.Random(given.seed)
@@ -116,7 +118,7 @@ def main() -> None:
         lines[i] = after + "\n"
         try:
             path.write_text("".join(lines))
-            verdict = verdict_of(given.build, given.tests)
+            verdict = verdict_of(given.build, given.targets, given.tests)
         finally:
             path.write_text(text)
         if verdict is None:
