@@ -1,10 +1,9 @@
-// Reads the format .json: as a stream, for the reason in format_json.cpp.
+// Reads the format .json. Points are taken while the text is parsed, and all else after it.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -22,235 +21,176 @@ namespace {
 
 using Json = nlohmann::json;
 
-struct JsonHeader {
-    std::optional<double> width;
-    std::optional<double> height;
-    double x0 = 0;
-    double y0 = 0;
-    std::optional<double> radius;
-    std::optional<Boundary> boundary;
-    std::optional<std::string> mode;
-    std::optional<bool> maximal;
-    std::optional<double> scale;
-    std::map<std::string, std::string> options;
-    std::vector<Level> levels;
-    LayersOfFile classes;
-    LayersOfFile inks;
-    std::vector<double> class_of_point;
-    std::vector<double> ink_of_point;
-    std::vector<double> ellipses;  // three numbers for each
-    bool has_dots = false;
-    std::vector<double> distances;
-    std::vector<double> weights;
-    std::vector<std::optional<std::uint64_t>> counts;  // of each class
-    std::vector<double> borders;
-};
+constexpr int kMostDepth = 64;  // of arrays and objects in each other
 
-// Takes the parser's events: an array of pairs, or an object whose key "points" holds one.
-class PointsHandler : public nlohmann::json_sax<Json> {
+// Takes points from the parser as they come, whose numbers would take far more memory as JSON. They
+// are an array of pairs, alone or as "points" of an object.
+class PointsOfJson {
 public:
-    explicit PointsHandler(const std::string& name) : name_(name) {}
+    explicit PointsOfJson(const std::string& name) : name_(name) {}
 
-    std::vector<Point> take_points() {
+    // The parser's callback. Returns false for what shall not be kept.
+    bool take(int depth, Json::parse_event_t event, Json& parsed) {
+        using Event = Json::parse_event_t;
+        if (depth > kMostDepth)
+            refuse(name_, fmt::format("point {}: an array or an object is {} deep: must be at most "
+                                      "{}",
+                                      points_.size(), depth, kMostDepth));
+        if (depth == 0 && event == Event::object_start) point_depth_ = 2;
+        if (depth == 1 && event == Event::key) key_ = parsed.get_ref<const std::string&>();
+        const bool is_root_object = depth == 0 && point_depth_ == 2;
+        if (is_root_object || event == Event::key || (point_depth_ == 2 && key_ != "points"))
+            return true;
+        if (event == Event::object_start) refuse_point("an object");
+        if (event == Event::array_start && depth > point_depth_) refuse_point("an array");
+        if (event == Event::value && (depth <= point_depth_ || !parsed.is_number()))
+            refuse_point(parsed.is_string() ? excerpt(parsed.get_ref<const std::string&>())
+                                            : excerpt(parsed.dump()));
+        if (event == Event::array_start && depth == point_depth_ - 1) {
+            if (has_points_) refuse(name_, R"("points" is there twice)");
+            has_points_ = true;
+        }
+        if (event != Event::array_end || depth != point_depth_) return true;
+        add(parsed);
+        return false;
+    }
+
+    std::vector<Point> points() {
         if (!has_points_) refuse(name_, R"(there is no "points", an array of [x, y])");
-        if (count_ && *count_ != points_.size())
-            refuse(name_, fmt::format("{} points: \"count\" says {}", points_.size(), *count_));
         return std::move(points_);
     }
 
-    // What the outermost object says. A member is empty if its key is missing or its value is 0.
-    const JsonHeader& header() const { return header_; }
-
-    bool null() override {
-        if (in_object_ && key_ == "options" && key_within_ == "counts")
-            header_.counts.emplace_back();
-        return scalar("null");
-    }
-    bool boolean(bool value) override {
-        if (value) read_option("true");
-        if (depth_ == 1 && in_object_ && key_ == "maximal") header_.maximal = value;
-        return scalar(value ? "true" : "false");
-    }
-    bool number_integer(number_integer_t value) override {
-        return number(static_cast<double>(value));
-    }
-    bool number_unsigned(number_unsigned_t value) override {
-        if (depth_ == 1 && in_object_ && key_ == "count") count_ = value;
-        return number(static_cast<double>(value));
-    }
-    bool number_float(number_float_t value, const string_t&) override { return number(value); }
-    bool string(string_t& value) override {
-        if (depth_ == 1 && in_object_ && key_ == "boundary") header_.boundary = boundary_of(value);
-        if (depth_ == 1 && in_object_ && key_ == "mode") header_.mode = value;
-        read_option(value);
-        if (depth_ == 3 && in_object_)
-            for (const auto& [key, layers] :
-                 {std::pair{"classes", &header_.classes}, std::pair{"inks", &header_.inks}}) {
-                if (key_ != key) continue;
-                if (key_within_ == "name") layers->names.push_back(value);
-                if (key_within_ == "colour") layers->colours.push_back(value);
-            }
-        return scalar(excerpt(value));
-    }
-    bool binary(binary_t&) override { return scalar("binary data"); }
-
-    bool start_object(std::size_t) override {
-        if (depth_ == 0) {
-            in_object_ = true;
-        } else {
-            refuse_unless_skipped("an object");
-        }
-        ++depth_;
-        return true;
-    }
-
-    bool key(string_t& key) override {
-        if (depth_ == 1 && in_object_) key_ = key;
-        if (depth_ == 1 && in_object_ && key_ == "dots") header_.has_dots = true;
-        if (depth_ == 2 || is_in_levels() || key_ == "classes" || key_ == "inks") key_within_ = key;
-        return true;
-    }
-
-    bool end_object() override {
-        --depth_;
-        return true;
-    }
-
-    bool start_array(std::size_t) override {
-        ++depth_;
-        if (depth_ == points_depth() && is_in_points()) {
-            if (has_points_) refuse(name_, R"("points" is there twice)");
-            has_points_ = true;
-        } else if (is_in_points() && depth_ > points_depth() + 1) {
-            refuse_unless_skipped("an array");
-        }
-        numbers_ = 0;
-        return true;
-    }
-
-    bool end_array() override {
-        if (is_in_points() && depth_ == points_depth() + 1) {
-            if (points_.empty()) numbers_of_each_ = numbers_ == 3 ? 3 : 2;
-            if (numbers_ != numbers_of_each_)
-                refuse(name_, fmt::format("point {} has {} number{}: must be [x, y]{}",
-                                          points_.size(), numbers_, numbers_ == 1 ? "" : "s",
-                                          numbers_of_each_ == 3 ? " and z, as point 0" : ""));
-            check_finite(point_, points_.size(), name_);
-            if (numbers_ == 3) third_.add(z_, points_.size());
-            points_.push_back(point_);
-        }
-        --depth_;
-        return true;
-    }
-
-    // The parser's own message is not used: it quotes the file, which may hold any bytes.
-    bool parse_error(std::size_t position, const std::string& token,
-                     const Json::exception&) override {
-        refuse(name_, fmt::format("byte {}: {} cannot be read as JSON; is the file whole?",
-                                  position, excerpt(token)));
-    }
-
 private:
-    // The nesting depth between two points. Inside a point the depth is one more.
-    int points_depth() const { return in_object_ ? 2 : 1; }
-    bool is_in_points() const { return !in_object_ || key_ == "points"; }
-
-    void refuse_unless_skipped(const std::string& what) const {
-        if (is_in_points())
-            refuse(name_,
-                   fmt::format("point {}: {} must be [x, y], two numbers", points_.size(), what));
+    [[noreturn]] void refuse_point(const std::string& what) const {
+        refuse(name_,
+               fmt::format("point {}: {} must be [x, y], two numbers", points_.size(), what));
     }
 
-    // Within an object of the array "levels".
-    bool is_in_levels() const { return in_object_ && depth_ == 3 && key_ == "levels"; }
-
-    void read_level(double value) {
-        if (key_within_ == "count")
-            header_.levels.push_back({0, value >= 0 && value < 0x1p63
-                                             ? static_cast<std::uint64_t>(value)
-                                             : std::numeric_limits<std::uint64_t>::max()});
-        if ((key_within_ == "radius" || key_within_ == "scale") && !header_.levels.empty())
-            header_.levels.back().size = value;
-    }
-
-    // A value of the object "options"; those of an array get colons between them.
-    void read_option(const std::string& text) {
-        if (!in_object_ || key_ != "options" || depth_ < 2) return;
-        std::string& option = header_.options[key_within_];
-        option += (option.empty() ? "" : ":") + text;
-    }
-
-    void read_of_classes(double value) {
-        if (key_ == "class") header_.class_of_point.push_back(value);
-        if (key_ == "ink") header_.ink_of_point.push_back(value);
-        if (key_ == "ellipses") header_.ellipses.push_back(value);
-        if (key_ == "options" && key_within_ == "distances") header_.distances.push_back(value);
-        if (key_ == "options" && key_within_ == "weights") header_.weights.push_back(value);
-        if (key_ == "options" && key_within_ == "counts") header_.counts.emplace_back(whole(value));
-        if (key_ == "options" && key_within_ == "borders") header_.borders.push_back(value);
-    }
-
-    std::uint64_t whole(double value) const {
-        if (!(value >= 1 && value < 0x1p53 && value == std::floor(value)))
-            refuse(name_,
-                   fmt::format("\"{}\" has {}: must be a number of points", key_within_, value));
-        return static_cast<std::uint64_t>(value);
-    }
-
-    bool scalar(const std::string& what) {
-        refuse_unless_skipped(what);
-        return true;
-    }
-
-    bool number(double value) {
-        if (depth_ == 1 && in_object_) read_header(value);
-        read_option(fmt::format("{}", value));
-        if (is_in_levels()) read_level(value);
-        if (in_object_ && depth_ > 1) read_of_classes(value);
-        if (!is_in_points()) return true;
-        if (depth_ != points_depth() + 1) return scalar(fmt::format("{}", value));
-        if (numbers_ < 3) (numbers_ == 0 ? point_.x : numbers_ == 1 ? point_.y : z_) = value;
-        ++numbers_;
-        return true;
-    }
-
-    Boundary boundary_of(const std::string& word) const {
-        if (word != "torus" && word != "box")
-            refuse(name_,
-                   fmt::format(R"("boundary" is {}: must be "torus" or "box")", excerpt(word)));
-        return word == "torus" ? Boundary::torus : Boundary::box;
-    }
-
-    void read_header(double value) {
-        const auto set = [&](std::optional<double>& field) {
-            if (value < 0 || !std::isfinite(value))
-                refuse(name_, fmt::format("\"{}\" is {}: must be a finite number of at least 0",
-                                          key_, value));
-            if (value > 0) field = value;
-        };
-        if (key_ == "x0") header_.x0 = value;
-        if (key_ == "y0") header_.y0 = value;
-        if (key_ == "width") set(header_.width);
-        if (key_ == "height") set(header_.height);
-        if (key_ == "radius") set(header_.radius);
-        if (key_ == "scale") set(header_.scale);
+    void add(const Json& numbers) {
+        if (points_.empty()) numbers_of_each_ = numbers.size() == 3 ? 3 : 2;
+        if (numbers.size() != numbers_of_each_)
+            refuse(name_, fmt::format("point {} has {} number{}: must be [x, y]{}", points_.size(),
+                                      numbers.size(), numbers.size() == 1 ? "" : "s",
+                                      numbers_of_each_ == 3 ? " and z, as point 0" : ""));
+        const Point point{numbers[0].get<double>(), numbers[1].get<double>()};
+        check_finite(point, points_.size(), name_);
+        if (numbers_of_each_ == 3) third_.add(numbers[2].get<double>(), points_.size());
+        points_.push_back(point);
     }
 
     const std::string& name_;
     std::vector<Point> points_;
-    JsonHeader header_;
-    std::optional<std::uint64_t> count_;
-    std::string key_;         // the current key of the outermost object
-    std::string key_within_;  // the current key of an object inside it
-    Point point_{};
-    double z_ = 0;
     ThirdCoordinate third_{name_};
-    std::size_t numbers_ = 0;          // how many numbers of the current point were read
+    std::string key_;                  // the current key of the outermost object
     std::size_t numbers_of_each_ = 2;  // how many each point has
-    int depth_ = 0;
-    bool in_object_ = false;
+    int point_depth_ = 1;
     bool has_points_ = false;
 };
+
+// The value of a key; null if there is none.
+const Json& member_of(const Json& object, const char* key) {
+    static const Json null;
+    const auto found = object.is_object() ? object.find(key) : object.end();
+    return !object.is_object() || found == object.end() ? null : *found;
+}
+
+// Calls `visit` with each value in arrays and objects, and with the key of the innermost object.
+template <class Visit>
+void for_each_value(const Json& json, const std::string& key, const Visit& visit) {
+    if (!json.is_structured()) return visit(json, key);
+    for (const auto& [own, value] : json.items())
+        for_each_value(value, json.is_object() ? own : key, visit);
+}
+
+std::vector<double> numbers_of(const Json& json) {
+    std::vector<double> numbers;
+    for_each_value(json, "", [&](const Json& value, const std::string&) {
+        if (value.is_number()) numbers.push_back(value.get<double>());
+    });
+    return numbers;
+}
+
+// A number over 0; unset if it is 0 or missing.
+std::optional<double> size_of(const Json& header, const char* key, const std::string& name) {
+    const Json& value = member_of(header, key);
+    if (!value.is_number()) return std::nullopt;
+    const auto number = value.get<double>();
+    if (number < 0)
+        refuse(name,
+               fmt::format("\"{}\" is {}: must be a finite number of at least 0", key, number));
+    return number > 0 ? std::optional(number) : std::nullopt;
+}
+
+double corner_of(const Json& header, const char* key) {
+    const Json& value = member_of(header, key);
+    return value.is_number() ? value.get<double>() : 0;
+}
+
+std::optional<Boundary> boundary_of(const Json& header, const std::string& name) {
+    const Json& value = member_of(header, "boundary");
+    if (!value.is_string()) return std::nullopt;
+    const auto word = value.get<std::string>();
+    if (word != "torus" && word != "box")
+        refuse(name, fmt::format(R"("boundary" is {}: must be "torus" or "box")", excerpt(word)));
+    return word == "torus" ? Boundary::torus : Boundary::box;
+}
+
+// Values as texts; those of an array with colons between them.
+std::map<std::string, std::string> options_of(const Json& options) {
+    std::map<std::string, std::string> texts;
+    for_each_value(options, "", [&](const Json& value, const std::string& key) {
+        std::string text;
+        if (value.is_number()) text = fmt::format("{}", value.get<double>());
+        if (value.is_string()) text = value.get<std::string>();
+        if (value.is_boolean() && value.get<bool>()) text = "true";
+        if (text.empty() && !value.is_string()) return;
+        std::string& option = texts[key];
+        option += (option.empty() ? "" : ":") + text;
+    });
+    return texts;
+}
+
+std::vector<Level> levels_of(const Json& header, std::size_t points, const std::string& name) {
+    std::vector<Level> levels;
+    for (const Json& one : member_of(header, "levels")) {
+        const Json& count = member_of(one, "count");
+        if (!count.is_number()) continue;
+        const double size = corner_of(one, "radius") + corner_of(one, "scale");
+        const auto number = count.get<double>();
+        if (!(size > 0 && std::isfinite(size)) ||
+            !(number >= 0 && number <= static_cast<double>(points)))
+            refuse(name, fmt::format("a level of {} points with radius {}: must be of at most {} "
+                                     "points, and the radius a number over 0",
+                                     number, size, points));
+        levels.push_back({size, static_cast<std::uint64_t>(number)});
+    }
+    return levels;
+}
+
+LayersOfFile layers_of(const Json& layers) {
+    LayersOfFile found;
+    for (const Json& one : layers) {
+        if (const Json& name = member_of(one, "name"); name.is_string())
+            found.names.push_back(name.get<std::string>());
+        if (const Json& colour = member_of(one, "colour"); colour.is_string())
+            found.colours.push_back(colour.get<std::string>());
+    }
+    return found;
+}
+
+// Of each class; null where it has as many points as have room.
+std::vector<std::optional<std::uint64_t>> counts_of(const Json& options, const std::string& name) {
+    std::vector<std::optional<std::uint64_t>> counts;
+    for (const Json& one : member_of(options, "counts")) {
+        if (one.is_null()) counts.emplace_back();
+        if (!one.is_number()) continue;
+        const auto count = one.get<double>();
+        if (!(count >= 1 && count < 0x1p53 && count == std::floor(count)))
+            refuse(name, fmt::format("\"counts\" has {}: must be a number of points", count));
+        counts.emplace_back(static_cast<std::uint64_t>(count));
+    }
+    return counts;
+}
 
 // `each` has the class or ink of each point, as a place among the names.
 void take_layers(LayersOfFile layers, const std::vector<double>& each, const char* word,
@@ -268,23 +208,25 @@ void take_layers(LayersOfFile layers, const std::vector<double>& each, const cha
     taken = std::move(layers);
 }
 
-void take_columns(const JsonHeader& header, const std::string& name, SetsOfFile& file) {
+void take_columns(const Json& header, const std::string& name, SetsOfFile& file) {
     const std::size_t points = file.sets.front().size();
-    take_layers(header.classes, header.class_of_point, "class", "classes", name, points,
-                file.classes);
-    take_layers(header.inks, header.ink_of_point, "ink", "inks", name, points, file.inks);
-    const std::size_t classes = header.classes.names.size();
+    take_layers(layers_of(member_of(header, "classes")), numbers_of(member_of(header, "class")),
+                "class", "classes", name, points, file.classes);
+    take_layers(layers_of(member_of(header, "inks")), numbers_of(member_of(header, "ink")), "ink",
+                "inks", name, points, file.inks);
+    const Json& options = member_of(header, "options");
+    file.distances = numbers_of(member_of(options, "distances"));
+    file.weights = numbers_of(member_of(options, "weights"));
+    file.counts = counts_of(options, name);
+    file.borders = numbers_of(member_of(options, "borders"));
+    const std::size_t classes = file.classes.names.size();
     for (const auto& [key, size] :
-         {std::pair{"weights", header.weights.size()}, std::pair{"counts", header.counts.size()},
-          std::pair{"borders", header.borders.size()}})
+         {std::pair{"weights", file.weights.size()}, std::pair{"counts", file.counts.size()},
+          std::pair{"borders", file.borders.size()}})
         if (size != 0 && size != classes)
             refuse(name, fmt::format("\"{}\" has {} values: must be {}, one for each class", key,
                                      size, classes));
-    file.distances = header.distances;
-    file.weights = header.weights;
-    file.counts = header.counts;
-    file.borders = header.borders;
-    const std::vector<double>& numbers = header.ellipses;
+    const std::vector<double> numbers = numbers_of(member_of(header, "ellipses"));
     if (!numbers.empty() && numbers.size() != 3 * points)
         refuse(name,
                fmt::format("{} points, but \"ellipses\" has {} numbers: must be [a, b, angle] "
@@ -292,33 +234,47 @@ void take_columns(const JsonHeader& header, const std::string& name, SetsOfFile&
                            points, numbers.size()));
     for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
         file.ellipses.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
-    if (header.has_dots) file.other_columns = {"radius", "x_mm", "y_mm", "radius_mm"};
+    if (header.contains("dots")) file.other_columns = {"radius", "x_mm", "y_mm", "radius_mm"};
 }
 
 }  // namespace
 
 SetsOfFile decode_json(std::string_view bytes, const std::string& name) {
-    PointsHandler handler(name);
-    Json::sax_parse(bytes, &handler);
-    SetsOfFile file = one_set(handler.take_points());
-    const JsonHeader& header = handler.header();
-    if (header.width.has_value() != header.height.has_value())
+    PointsOfJson points(name);
+    Json header;
+    try {
+        header = Json::parse(bytes, [&](int depth, Json::parse_event_t event, Json& parsed) {
+            return points.take(depth, event, parsed);
+        });
+    } catch (const Json::parse_error& error) {
+        refuse(name,
+               fmt::format("byte {}: cannot be read as JSON; is the file whole?", error.byte));
+    } catch (const Json::out_of_range&) {
+        refuse(name, "has a number that is too large for a double");
+    }
+    SetsOfFile file = one_set(points.points());
+    const std::size_t count = file.sets.front().size();
+    if (const Json& said = member_of(header, "count");
+        said.is_number_unsigned() && said.get<std::uint64_t>() != count)
+        refuse(name, fmt::format("{} points: \"count\" says {}", count, said.get<std::uint64_t>()));
+    const std::optional<double> width = size_of(header, "width", name);
+    const std::optional<double> height = size_of(header, "height", name);
+    if (width.has_value() != height.has_value())
         refuse(name, R"("width" and "height" must be there both or neither)");
-    if (header.width)
-        file.domain = {
-            .width = *header.width, .height = *header.height, .x0 = header.x0, .y0 = header.y0};
-    file.radius = header.radius;
-    file.boundary = header.boundary;
-    file.mode = header.mode;
-    file.maximal = header.maximal;
-    file.scale = header.scale;
-    file.options = header.options;
-    for (const Level& level : header.levels)
-        if (!(level.size > 0 && std::isfinite(level.size)) || level.points > file.sets[0].size())
-            refuse(name, fmt::format("a level of {} points with radius {}: must be of at most {} "
-                                     "points, and the radius a number over 0",
-                                     level.points, level.size, file.sets[0].size()));
-    file.levels = header.levels;
+    if (width)
+        file.domain = {.width = *width,
+                       .height = *height,
+                       .x0 = corner_of(header, "x0"),
+                       .y0 = corner_of(header, "y0")};
+    file.radius = size_of(header, "radius", name);
+    file.scale = size_of(header, "scale", name);
+    file.boundary = boundary_of(header, name);
+    if (const Json& mode = member_of(header, "mode"); mode.is_string())
+        file.mode = mode.get<std::string>();
+    if (const Json& maximal = member_of(header, "maximal"); maximal.is_boolean())
+        file.maximal = maximal.get<bool>();
+    file.options = options_of(member_of(header, "options"));
+    file.levels = levels_of(header, count, name);
     take_columns(header, name, file);
     return file;
 }
