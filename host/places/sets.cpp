@@ -165,5 +165,23 @@ double edge_of_radius(double least_radius) {
     return least_radius / 16;  // keeps masks small, and the error well under the points' distance
 }
 
+std::shared_ptr<const Claim> settled(const Claim& given) {
+    const bool has_edge = given.places.edge || given.places.outlines.empty();
+    if (has_edge && !given.places.border_by_radius) return nullptr;
+    const auto claim = std::make_shared<Claim>(given);
+    if (given.places.border_by_radius)
+        take_border_by_radius(given.radius > 0 ? std::optional(given.radius) : std::nullopt,
+                              given.domain, claim->border, claim->classes);
+    if (has_edge) return claim;
+    double least = given.field != nullptr ? given.scale : given.radius;
+    if (least == 0) least = least_of(given.classes);
+    if (given.field != nullptr) {
+        const std::vector<double>& importance = given.field->importance;
+        least /= std::sqrt(*std::max_element(importance.begin(), importance.end()));
+    }
+    claim->places.edge = edge_of_radius(least);
+    return claim;
+}
+
 }  // namespace places
 }  // namespace lacuna

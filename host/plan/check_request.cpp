@@ -219,32 +219,31 @@ void check_request(const Request& request) {
     check_round_size(request);
 }
 
-CheckedRequest::CheckedRequest(const Request& request) : CheckedRequest(resolve(request)) {}
-
-CheckedRequest::CheckedRequest(Resolved&& resolved)
-    : request_(std::move(resolved.request)), edge_(resolved.edge), masks_(resolved.masks) {
-    check_request(request_);
-    Classes& classes = request_.classes;
-    std::optional<double>& size = request_.field != nullptr ? request_.scale : request_.radius;
-    if (!classes.names.empty() && !size && !request_.count) size = least_distance_of(classes);
+CheckedRequest::CheckedRequest(const Request& given) : resolved_(resolve(given)) {
+    Request& request = resolved_.request;
+    check_request(request);
+    Classes& classes = request.classes;
+    std::optional<double>& size = request.field != nullptr ? request.scale : request.radius;
+    if (!classes.names.empty() && !size && !request.count) size = least_distance_of(classes);
     if (classes.names.size() == 1) {
-        request_.border = border_of(request_, 0);
-        request_.mask = mask_of(request_, 0);
+        request.border = border_of(request, 0);
+        request.mask = mask_of(request, 0);
         classes = {};
-        request_.keep_classes = {};
+        request.keep_classes = {};
     }
     sort_kept();
 }
 
 void CheckedRequest::sort_kept() {
+    Request& request = resolved_.request;
     const bool is_sorted = kept_ && kept_->has_radius;
-    if (is_sorted || Members(request_).are_all()) return;
-    SortedKept sorted = sorted_kept(request_);
+    if (is_sorted || Members(request).are_all()) return;
+    SortedKept sorted = sorted_kept(request);
     if (kept_)
         for (std::uint32_t& place : sorted.places) place = kept_->places[place];
     kept_ = std::make_shared<const SortedKept>(std::move(sorted));
-    request_.keep = kept_->points;
-    request_.keep_classes = kept_->classes;
+    request.keep = kept_->points;
+    request.keep_classes = kept_->classes;
 }
 
 }  // namespace lacuna

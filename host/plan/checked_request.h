@@ -29,7 +29,7 @@ public:
     template <class Change>
     CheckedRequest with(const Change& change) const {
         CheckedRequest changed = *this;
-        change(changed.request_);
+        change(changed.resolved_.request);
         changed.sort_kept();
         return changed;
     }
@@ -37,7 +37,7 @@ public:
     // How many kept points lie in the domain, and so are points of the set. They are the first of
     // Request::keep; those that follow lie outside, and none of them is farther from the domain
     // than the greatest distance that two points keep.
-    std::size_t members() const { return kept_ ? kept_->members : request_.keep.size(); }
+    std::size_t members() const { return kept_ ? kept_->members : (*this)->keep.size(); }
 
     // The place that each kept point had in the request as it was given; empty: the same.
     std::span<const std::uint32_t> places_of_kept() const {
@@ -46,20 +46,18 @@ public:
     }
 
     // How far outlines are off: Resolved::edge.
-    double edge() const { return edge_; }
+    double edge() const { return resolved_.edge; }
 
-    const Request& operator*() const { return request_; }
-    const Request* operator->() const { return &request_; }
-    operator const Request&() const { return request_; }  // NOLINT(google-explicit-constructor)
+    const Request& operator*() const { return resolved_.request; }
+    const Request* operator->() const { return &resolved_.request; }
+    operator const Request&() const {
+        return resolved_.request;
+    }  // NOLINT(google-explicit-constructor)
 
 private:
     void sort_kept();
 
-    CheckedRequest(Resolved&& resolved);
-
-    Request request_;
-    double edge_;
-    std::shared_ptr<const std::vector<Mask>> masks_;
+    Resolved resolved_;
     std::shared_ptr<const SortedKept> kept_;  // null: all lie in the domain
 };
 

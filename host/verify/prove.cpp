@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "base/threads.h"
+#include "places/sets.h"
 #include "verify/classes.h"
 #include "verify/closest.h"
 #include "verify/ellipse_samples.h"
@@ -231,7 +233,8 @@ Proof prove(std::span<const Point> points, const Claim& given,
     const Patience patience(keep_going);
     const double tolerance = tolerance_of(given);
     check_claim(given, points.size(), tolerance);
-    const Claim claim = settled(given);
+    const std::shared_ptr<const Claim> own = places::settled(given);
+    const Claim& claim = own ? *own : given;
     Proof proof;
     proof.tolerance = tolerance;
     proof.moved = first_moved(points, claim);

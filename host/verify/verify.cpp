@@ -10,7 +10,6 @@
 #include <string>
 #include <utility>
 
-#include "places/sets.h"
 #include "verify/neighbours.h"
 
 namespace lacuna::verify {
@@ -260,22 +259,6 @@ void check_longest_ellipse(const Claim& claim, double longest_radius) {
 bool is_uniform(const Claim& claim) {
     return claim.field == nullptr && claim.mask == nullptr && claim.places.outlines.empty() &&
            !claim.places.border_by_radius && claim.border == 0 && claim.classes.names.empty();
-}
-
-Claim settled(Claim claim) {
-    Places& places = claim.places;
-    const std::optional<double> radius =
-        claim.radius > 0 ? std::optional(claim.radius) : std::nullopt;
-    if (places.border_by_radius)
-        places::take_border_by_radius(radius, claim.domain, claim.border, claim.classes);
-    if (places.edge || places.outlines.empty()) return claim;
-    double least = claim.field != nullptr ? claim.scale : claim.radius;
-    if (least == 0) least = least_distance(claim.classes);
-    if (claim.field != nullptr)
-        least /= std::sqrt(
-            *std::max_element(claim.field->importance.begin(), claim.field->importance.end()));
-    places.edge = places::edge_of_radius(least);
-    return claim;
 }
 
 double tolerance_of(const Claim& claim) {

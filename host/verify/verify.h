@@ -35,10 +35,6 @@ void check_domain(const lacuna::Domain& domain);
 // classes that make no sense.
 void check_claim(const Claim& claim, std::size_t points, double tolerance);
 
-// The claim with numbers in place of Places::border_by_radius, and of an edge that is not given. It
-// was checked.
-Claim settled(Claim claim);
-
 // Throws BadRequest if the smallest radius that the claim asks for is below kSmallestRadius.
 void check_least_radius(const Claim& claim, double least_radius);
 

@@ -1,13 +1,33 @@
-// Replaces host/places/resolve.cpp: the page and the npm package have no polygons, because drawing
+// Replaces host/places/: the page and the npm package have no polygons, because drawing and proving
 // them would take room in the module that all visitors load.
-#include <lacuna/sample.h>
+#include "places/sets.h"
 
 namespace lacuna {
+namespace {
+
+void refuse(const Places& places) {
+    if (!places.outlines.empty() || places.border_by_radius)
+        throw BadRequest("inside", "given", "this module has no polygons");
+}
+
+}  // namespace
+
+std::string_view name_of(Role) {
+    return "inside";
+}
 
 Resolved resolve(const Request& given) {
-    if (!given.places.outlines.empty() || given.places.border_by_radius)
-        throw BadRequest("inside", "given", "this module has no polygons");
+    refuse(given.places);
     return {.request = given};
+}
+
+places::Sets::Sets(const Places& places, const Domain&, double, const Classes&)
+    : kinds_(1), sets_(1) {
+    refuse(places);
+}
+
+std::shared_ptr<const Claim> places::settled(const Claim&) {
+    return nullptr;
 }
 
 }  // namespace lacuna

@@ -24,6 +24,7 @@
 #include "files/read_sets.h"
 #include "files/read_whole.h"
 #include "pictures/importance.h"
+#include "places/sets.h"
 #include "plan/kept.h"
 #include "plan/sheets.h"
 #include "verify/verify.h"
@@ -169,7 +170,7 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& 
     claim.places = request.places;
     claim.places.edge = claim.options.edge;
     claim.places.border_by_radius = claim.options.inside_by_radius;
-    static_cast<Claim&>(claim) = verify::settled(claim);
+    if (const auto settled = places::settled(claim)) static_cast<Claim&>(claim) = *settled;
     request.border = claim.border;
     request.classes.borders = claim.classes.borders;
     given.files.edge = claim.places.edge.value_or(0);
