@@ -65,6 +65,11 @@ double scale_of_page(const Polygons& polygons, Role role, const Domain& domain) 
     return along;
 }
 
+void check_at_least_0(const char* option, double value) {
+    if (!std::isfinite(value) || value < 0)
+        throw BadRequest(option, shortest(value), "must be a finite number of at least 0");
+}
+
 // Adds the images of the rings around a torus.
 void repeat(const Domain& domain, std::vector<PolygonRing>& rings) {
     const std::vector<PolygonRing> own = rings;
@@ -163,6 +168,31 @@ void take_border_by_radius(std::optional<double> radius, const Domain& domain, d
 
 double edge_of_radius(double least_radius) {
     return least_radius / 16;  // keeps masks small, and the error well under the points' distance
+}
+
+void check(const Claim& claim) {
+    const bool has_border = claim.border > 0 || !claim.classes.borders.empty();
+    for (const Outline& outline : claim.places.outlines) {
+        const std::string option(name_of(outline.role));
+        check_at_least_0("border", outline.distance.value_or(0));
+        for (const PolygonRing& ring : outline.polygons.rings) {
+            if (ring.size() < 3 &&
+                !((outline.distance.value_or(0) > 0 || has_border) && !ring.empty()))
+                throw BadRequest(option, "a ring of " + std::to_string(ring.size()) + " points",
+                                 "must have at least 3");
+            for (const Point& point : ring)
+                if (!std::isfinite(point.x) || !std::isfinite(point.y))
+                    throw BadRequest(option,
+                                     "(" + shortest(point.x) + ", " + shortest(point.y) + ")",
+                                     "must be finite numbers");
+        }
+    }
+    if (claim.places.edge) check_at_least_0("edge", *claim.places.edge);
+    if (claim.places.border_by_radius && claim.domain.wraps())
+        throw BadRequest("inside-by-radius", "with --torus", "a torus has no edges");
+    if (claim.places.border_by_radius && (claim.field != nullptr || claim.mask != nullptr))
+        throw BadRequest("inside-by-radius", "with --field or --mask",
+                         "is for disks of one size, or of one for each class, and for outlines");
 }
 
 std::shared_ptr<const Claim> settled(const Claim& given) {

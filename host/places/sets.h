@@ -51,6 +51,9 @@ void take_border_by_radius(std::optional<double> radius, const Domain& domain, d
 // How far the outlines of a set of this least radius are off, if nothing else is said.
 double edge_of_radius(double least_radius);
 
+// Throws BadRequest for places of a claim that make no sense.
+void check(const Claim& claim);
+
 // A claim that was checked, with numbers in place of Places::border_by_radius and of an edge that
 // is not given. Null if it has both.
 std::shared_ptr<const Claim> settled(const Claim& claim);

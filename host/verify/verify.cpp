@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "places/sets.h"
 #include "verify/neighbours.h"
 
 namespace lacuna::verify {
@@ -63,24 +64,6 @@ void check_stretches(const Claim& claim) {
         throw BadRequest("class", "with ellipses", "classes have disks");
 }
 
-void check_outlines(const Claim& claim) {
-    const bool has_border = claim.border > 0 || !claim.classes.borders.empty();
-    for (const lacuna::Outline& outline : claim.places.outlines) {
-        const std::string option(name_of(outline.role));
-        check_at_least_0("border", outline.distance.value_or(0));
-        for (const PolygonRing& ring : outline.polygons.rings) {
-            if (ring.size() < 3 &&
-                !((outline.distance.value_or(0) > 0 || has_border) && !ring.empty()))
-                throw BadRequest(option, "a ring of " + std::to_string(ring.size()) + " points",
-                                 "must have at least 3");
-            for (const Point& point : ring)
-                if (!std::isfinite(point.x) || !std::isfinite(point.y))
-                    throw BadRequest(option, "(" + text(point.x) + ", " + text(point.y) + ")",
-                                     "must be finite numbers");
-        }
-    }
-}
-
 void check_mask(const Mask* mask) {
     if (mask == nullptr) return;
     if (mask->drawn)
@@ -105,13 +88,7 @@ void check_places(const Claim& claim) {
                              "must be for each of the " + std::to_string(count) + " classes");
     check_mask(claim.mask);
     for (const Mask* const mask : classes.masks) check_mask(mask);
-    check_outlines(claim);
-    if (claim.places.edge) check_at_least_0("edge", *claim.places.edge);
-    if (claim.places.border_by_radius && claim.domain.wraps())
-        throw BadRequest("inside-by-radius", "with --torus", "a torus has no edges");
-    if (claim.places.border_by_radius && (claim.field != nullptr || claim.mask != nullptr))
-        throw BadRequest("inside-by-radius", "with --field or --mask",
-                         "is for disks of one size, or of one for each class, and for outlines");
+    places::check(claim);
     check_border(claim, claim.border);
     for (const double border : classes.borders) check_border(claim, border);
 }
