@@ -195,7 +195,7 @@ void draw_anisotropy(Canvas& canvas, const Analysis& analysis) {
 }  // namespace
 
 std::string draw_sheet(const Analysis& analysis, std::span<const Point> points,
-                       drawing::Medium medium) {
+                       files::Medium medium) {
     const std::unique_ptr<Canvas> canvas = drawing::make_canvas(medium, kPageWidth, kPageHeight);
     canvas->text({kLeft, 24}, heading(analysis), {13, Anchor::start, kInk, true});
     canvas->text({kLeft, 41}, numbers(analysis), {8.5, Anchor::start, kInk});

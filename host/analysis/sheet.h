@@ -7,7 +7,7 @@
 #include <string>
 
 #include "analysis/analyse.h"
-#include "drawing/medium.h"
+#include "files/medium.h"
 #include "files/point_files.h"
 
 namespace lacuna::analysis {
@@ -16,6 +16,6 @@ namespace lacuna::analysis {
 // the first. The same analysis gives the same bytes on every call if the same fonts are installed
 // (DejaVu Sans, or fontconfig's substitute). Throws files::FileError if it cannot be drawn.
 std::string draw_sheet(const Analysis& analysis, std::span<const Point> points,
-                       drawing::Medium medium);
+                       files::Medium medium);
 
 }  // namespace lacuna::analysis

@@ -9,10 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "drawing/medium.h"
+#include "files/medium.h"
 #include "files/point_files.h"
 
 namespace lacuna::drawing {
+
+using files::Medium;
 
 // A position on the page in points; x goes right and y down from the upper left corner.
 using Position = Point;

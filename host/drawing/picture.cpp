@@ -236,3 +236,24 @@ std::string draw(const files::PointSet& set, Medium medium, const Style& style) 
 }
 
 }  // namespace lacuna::drawing
+
+// The rows of pictures in the table of files/formats.cpp.
+namespace lacuna::files {
+
+std::string encode_svg(const PointSet& set);
+std::string encode_pdf(const PointSet& set);
+std::string encode_png(const PointSet& set);
+
+std::string encode_svg(const PointSet& set) {
+    return drawing::draw(set, Medium::svg);
+}
+
+std::string encode_pdf(const PointSet& set) {
+    return drawing::draw(set, Medium::pdf);
+}
+
+std::string encode_png(const PointSet& set) {
+    return drawing::draw(set, Medium::png);
+}
+
+}  // namespace lacuna::files

@@ -7,10 +7,12 @@
 #include <span>
 #include <string>
 
-#include "drawing/medium.h"
+#include "files/medium.h"
 #include "files/point_files.h"
 
 namespace lacuna::drawing {
+
+using files::Medium;
 
 inline constexpr double kMillimetresPerInch = 25.4;
 inline constexpr double kPointsPerInch = 72;  // in PostScript and PDF

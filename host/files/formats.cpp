@@ -11,19 +11,22 @@
 #include <string>
 #include <string_view>
 
-#include "drawing/picture.h"
 #include "files/parse.h"
 #include "files/point_files.h"
 #include "files/read_points.h"
 
 namespace lacuna::files {
 
-// Each of these functions stands in its format's file: encode_txt in format_txt.cpp.
+// Each of these functions stands in its format's file: encode_txt in format_txt.cpp. Those of
+// pictures stand in drawing/picture.cpp.
 std::string encode_txt(const PointSet& set);
 std::string encode_csv(const PointSet& set);
 std::string encode_npy(const PointSet& set);
 std::string encode_ply(const PointSet& set);
 std::string encode_json(const PointSet& set);
+std::string encode_svg(const PointSet& set);
+std::string encode_pdf(const PointSet& set);
+std::string encode_png(const PointSet& set);
 SetsOfFile decode_txt(std::string_view bytes, const std::string& name);
 SetsOfFile decode_csv(std::string_view bytes, const std::string& name);
 SetsOfFile decode_npy(std::string_view bytes, const std::string& name);
@@ -32,22 +35,15 @@ SetsOfFile decode_json(std::string_view bytes, const std::string& name);
 
 namespace {
 
-template <drawing::Medium kMedium>
-std::string draw(const PointSet& set) {
-    return drawing::draw(set, kMedium);
-}
-
-using drawing::Medium;
-
 constexpr std::array<Format, 8> kFormats{{
     {".txt", encode_txt, decode_txt, std::nullopt, false},
     {".csv", encode_csv, decode_csv},
     {".npy", encode_npy, decode_npy},
     {".ply", encode_ply, decode_ply},
     {".json", encode_json, decode_json},
-    {".svg", draw<Medium::svg>, nullptr, Medium::svg},
-    {".pdf", draw<Medium::pdf>, nullptr, Medium::pdf},
-    {".png", draw<Medium::png>, nullptr, Medium::png},
+    {".svg", encode_svg, nullptr, Medium::svg},
+    {".pdf", encode_pdf, nullptr, Medium::pdf},
+    {".png", encode_png, nullptr, Medium::png},
 }};
 
 std::string in_lower_case(std::string_view text) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "drawing/medium.h"
+#include "files/medium.h"
 
 namespace lacuna::files {
 
@@ -21,7 +21,7 @@ struct Format {
     // Returns the sets in the file called `name`; null for a format that is only written.
     SetsOfFile (*decode)(std::string_view bytes, const std::string& name) = nullptr;
     // Set if the format is a picture, which can be written but not read.
-    std::optional<drawing::Medium> medium{};
+    std::optional<Medium> medium{};
     // Whether there is a place for the class, the ink and the ellipse of each point.
     bool has_columns = true;
 

@@ -14,7 +14,6 @@
 #include "plan/radius_field.h"
 #include "plan/sheets.h"
 #include "plan/sizes.h"
-#include "sampling/on_pixels.h"
 
 namespace lacuna {
 namespace {

@@ -216,4 +216,18 @@ FieldSize check_radius_field_size(const Request& request, double size, const Pol
     return {least_radius, samples * crowd_of(request)};
 }
 
+double least_pixel_step(const Raster& raster, const Domain& domain) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto look = [&](std::uint32_t pixels, double side, const auto& at) {
+        for (std::uint32_t i = 1; i < pixels; ++i) least = std::min(least, at(i) - at(i - 1));
+        if (pixels > 1 && domain.wraps()) least = std::min(least, side - (at(pixels - 1) - at(0)));
+    };
+    const auto way = [&](std::uint32_t x, std::uint32_t y) {
+        return domain.from_corner(raster.centre(x, y, domain));
+    };
+    look(raster.columns, domain.width, [&](std::uint32_t i) { return way(i, 0).x; });
+    look(raster.rows, domain.height, [&](std::uint32_t i) { return way(0, i).y; });
+    return std::isinf(least) ? 0 : least;
+}
+
 }  // namespace lacuna

@@ -55,4 +55,7 @@ std::uint64_t machine_memory_bytes();
 void refuse_more_memory(const Request& request, const std::string& option, const std::string& value,
                         double bytes);
 
+// The least distance of the centres of two pixels, computed in double; 0 for a single pixel.
+double least_pixel_step(const Raster& raster, const Domain& domain);
+
 }  // namespace lacuna

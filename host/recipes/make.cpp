@@ -5,9 +5,9 @@
 
 #include <utility>
 
+#include "lattice/lattice.h"
 #include "recipes/targets.h"
 #include "relax/descent.h"
-#include "relax/lattice.h"
 
 namespace lacuna::recipes {
 

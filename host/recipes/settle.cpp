@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "relax/lattice.h"
+#include "lattice/lattice.h"
 
 namespace lacuna::recipes {
 namespace {

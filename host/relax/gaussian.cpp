@@ -8,8 +8,8 @@
 #include <string>
 
 #include "base/number_text.h"
-#include "relax/lattice.h"
-#include "relax/take_apart.h"
+#include "lattice/lattice.h"
+#include "lattice/take_apart.h"
 
 namespace lacuna::relaxing {
 namespace {

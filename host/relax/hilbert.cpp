@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "relax/ranked.h"
+#include "lattice/ranked.h"
 
 namespace lacuna::relaxing {
 namespace {

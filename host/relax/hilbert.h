@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/polling.h"
-#include "relax/lattice.h"
+#include "lattice/lattice.h"
 
 namespace lacuna::relaxing {
 

@@ -13,10 +13,10 @@
 
 #include "base/asked.h"
 #include "base/polling.h"
+#include "lattice/lattice.h"
+#include "lattice/stratified.h"
 #include "plan/checked_request.h"
-#include "relax/lattice.h"
 #include "relax/relax_backends.h"
-#include "sampling/stratified.h"
 
 namespace lacuna {
 namespace {

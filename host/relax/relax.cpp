@@ -10,9 +10,9 @@
 #include "base/asked.h"
 #include "base/polling.h"
 #include "lacuna/lacuna.h"
+#include "lattice/lattice.h"
 #include "plan/checked_request.h"
 #include "relax/descent.h"
-#include "relax/lattice.h"
 #include "relax/relax_backends.h"
 
 namespace lacuna {

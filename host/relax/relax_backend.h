@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "relax/lattice.h"
+#include "lattice/lattice.h"
 
 namespace lacuna::relaxing {
 

@@ -68,7 +68,7 @@ double exponent_of(const std::vector<double>& errors) {
     return (n * xy - x * y) / (n * xx - x * x);
 }
 
-std::string draw(const Curves& curves, drawing::Medium medium) {
+std::string draw(const Curves& curves, files::Medium medium) {
     const auto canvas = drawing::make_canvas(medium, 640, 300);
     const auto panel = [&](double left, const std::string& title,
                            const std::vector<double>& errors) {
@@ -113,7 +113,7 @@ Reproduction fig3(const Setting& setting) {
                  {"x_and_y", curves.cells},
                  {"exponent_x_only", exponent_of(curves.lines)},
                  {"exponent_x_and_y", exponent_of(curves.cells)}};
-    made.medium = drawing::Medium::svg;
+    made.medium = files::Medium::svg;
     made.picture = draw(curves, made.medium);
     return made;
 }

@@ -86,7 +86,7 @@ void draw_row(Canvas& canvas, double top, const Row& row, Colour colour) {
     draw_anisotropy(canvas, {430, top, 190, 100}, "Anisotropy", row.analysis, colour);
 }
 
-std::string draw(const Rows& rows, drawing::Medium medium) {
+std::string draw(const Rows& rows, files::Medium medium) {
     constexpr double kStep = 148;
     const auto canvas =
         drawing::make_canvas(medium, 640, 20 + kStep * static_cast<double>(2 + rows.lines.size()));
@@ -151,7 +151,7 @@ Reproduction fig4(const Setting& setting) {
     add(rows.exact);
     for (const Row& row : rows.lines) add(row);
     made.numbers = numbers_of(rows, chance);
-    made.medium = drawing::Medium::svg;
+    made.medium = files::Medium::svg;
     made.picture = draw(rows, made.medium);
     return made;
 }

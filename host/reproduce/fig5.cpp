@@ -32,7 +32,7 @@ Method make(const Setting& setting, bool uniform_x, Work& work) {
     return {uniform_x ? "uniform-x" : "cdf", analyse_on_torus(sets.points, kFig5Radius, work)};
 }
 
-std::string draw(std::span<const Method> methods, drawing::Medium medium) {
+std::string draw(std::span<const Method> methods, files::Medium medium) {
     const auto canvas = drawing::make_canvas(medium, 640, 520);
     double top = 30;
     for (std::size_t i = 0; i < methods.size(); ++i, top += 250) {
@@ -67,7 +67,7 @@ Reproduction fig5(const Setting& setting) {
         in_words("uniform-x: power on the other line", "one line",
                  methods[1].analysis.vertical_line->ratio, {1 - 4 * error, 1 + 4 * error})};
     for (const Method& method : methods) made.data[method.name] = json_of(method.analysis, 2);
-    made.medium = drawing::Medium::svg;
+    made.medium = files::Medium::svg;
     made.picture = draw(methods, made.medium);
     return made;
 }

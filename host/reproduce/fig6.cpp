@@ -20,7 +20,7 @@ constexpr std::uint32_t kFig6Runs = 40;
 constexpr double kScale = 0.012;
 constexpr std::array kMetrics{Metric::max, Metric::mean, Metric::min};  // in the order of the paper
 
-std::string draw(const Field& field, Work& work, drawing::Medium medium) {
+std::string draw(const Field& field, Work& work, files::Medium medium) {
     constexpr double kSide = 280;
     constexpr double kUpper = 24;
     const auto canvas = drawing::make_canvas(medium, 2 * kSide + 30, 2 * kSide + 60);
@@ -71,7 +71,7 @@ Reproduction fig6(const Setting& setting) {
         // "samples in the sparse region do not block the samples in the dense region"
         in_words("min: missing per radius of edge", "do not block", min.value, {-kInfinite, 0})};
     made.data["runs"] = runs;
-    made.medium = drawing::Medium::png;
+    made.medium = files::Medium::png;
     made.picture = draw(shapes(0.1), work, made.medium);
     return made;
 }

@@ -33,7 +33,7 @@ Reproduction fig7(const Setting& setting) {
                  {"seconds", few.seconds[0]},
                  {"seconds_of_250000_dots", many.seconds[0]},
                  {"threads", 1}};
-    made.medium = drawing::Medium::png;
+    made.medium = files::Medium::png;
     // A dot's radius is a third of the radius given, so dots have 1/800 of the longer side.
     made.picture = drawing::draw({few.points[0], domain_like(image.columns, image.rows), 3.0 / 800},
                                  made.medium);

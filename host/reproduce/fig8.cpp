@@ -35,7 +35,7 @@ Version make(const Field& field, std::string name, std::uint64_t dots, Metric me
 }
 
 // Draws the four bars of the field, enlarged.
-std::string draw(std::span<const Version> versions, drawing::Medium medium) {
+std::string draw(std::span<const Version> versions, files::Medium medium) {
     constexpr Rectangle kPart{0.3, 0.06, 0.5, 0.36};  // of the unit square, y upwards
     constexpr double kWidth = 250;
     constexpr double kHeight = kWidth * kPart.height / kPart.width;
@@ -74,7 +74,7 @@ Reproduction fig8(const Setting& setting) {
                  (b.error - c.error) / (b.error - a.error), {0.5, 1})};
     for (const Version& version : versions)
         made.data[version.name] = {{"dots", version.dots.size()}, {"tone_error", version.error}};
-    made.medium = drawing::Medium::png;
+    made.medium = files::Medium::png;
     made.picture = draw(versions, made.medium);
     return made;
 }

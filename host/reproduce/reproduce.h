@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "drawing/medium.h"
+#include "files/medium.h"
 #include "files/point_files.h"
 #include "reproduce/number.h"
 
@@ -30,7 +30,7 @@ struct Setting {
 struct Reproduction {
     std::vector<Number> numbers;
     nlohmann::ordered_json data;  // the data that the picture shows
-    drawing::Medium medium;       // format of the picture: svg or png
+    files::Medium medium;         // format of the picture: svg or png
     std::string picture;          // the picture's bytes
 };
 

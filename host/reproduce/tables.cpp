@@ -181,7 +181,7 @@ Reproduction reproduce_table(const Setting& setting, Boundary boundary,
                                           row.seconds[i], here.at(row.way)[i].seconds));
     add_darts(made, setting, boundary, darts);
 
-    made.medium = drawing::Medium::svg;
+    made.medium = files::Medium::svg;
     const auto canvas = drawing::make_canvas(made.medium, 640, 300);
     draw_counts(*canvas, {52, 30, 250, 220}, rows, here, radii);
     draw_times(*canvas, {368, 30, 250, 220}, rows, here, radii);

@@ -10,17 +10,18 @@
 #include "base/asked.h"
 #include "base/large_pages.h"
 #include "base/polling.h"
+#include "dither/on_pixels.h"
 #include "lacuna/lacuna.h"
+#include "lattice/stratified.h"
 #include "plan/checked_request.h"
 #include "plan/kept.h"
 #include "plan/make_plan.h"
 #include "plan/plan.h"
+#include "plan/sizes.h"
 #include "sampling/class_counts.h"
 #include "sampling/count_search.h"
 #include "sampling/generate.h"
-#include "sampling/on_pixels.h"
 #include "sampling/progressive.h"
-#include "sampling/stratified.h"
 
 namespace lacuna {
 namespace {

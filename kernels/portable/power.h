@@ -6,7 +6,7 @@
 // whole numbers of at least 0, and the sample with the least |p - s|^2 - w is the one with the
 // least |p - s|^2 + weight.
 //
-// Nothing here overflows, because host/relax/lattice.cpp keeps these limits:
+// Nothing here overflows, because host/lattice/lattice.cpp keeps these limits:
 //   lattice points                at most 2^31
 //   lattice points of one side    at most 2^21; times all lattice points at most 2^46
 //   a step                        256 to 511 units; so a side has less than 2^30 units, and the

@@ -24,11 +24,8 @@
 #include "outlines.h"
 #include "parts.h"
 #include "plan/kept.h"
-#include "plan/radius_field.h"
 #include "plan/sheets.h"
-#include "plan/sizes.h"
 #include "recipes/settle.h"
-#include "sampling/on_pixels.h"
 #include "watch.h"
 
 namespace nb = nanobind;

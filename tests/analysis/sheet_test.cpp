@@ -16,7 +16,7 @@
 namespace lacuna::analysis {
 namespace sheet_test {
 
-using drawing::Medium;
+using files::Medium;
 using tests::contains;
 using tests::occurrences;
 

@@ -102,7 +102,7 @@ public:
         to_y_ = static_cast<int>(std::ceil(std::log10(most_seconds)));
     }
 
-    std::string draw(drawing::Medium medium) {
+    std::string draw(files::Medium medium) {
         const double height = std::max(440.0, 60.0 + 16.0 * static_cast<double>(curves_.size()));
         const auto canvas = drawing::make_canvas(medium, 860, height);
         draw_axes(*canvas);

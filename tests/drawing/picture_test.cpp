@@ -20,7 +20,7 @@
 namespace lacuna::files {
 namespace {
 
-using drawing::Medium;
+using files::Medium;
 using tests::contains;
 using tests::occurrences;
 

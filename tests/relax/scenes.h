@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "fields.h"
-#include "relax/lattice.h"
+#include "lattice/lattice.h"
 
 namespace lacuna::relaxing::tests {
 

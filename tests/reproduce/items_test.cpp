@@ -55,7 +55,7 @@ TEST_P(EveryItem, IsMadeWithItsNumbersWithinTheirBands) {
     EXPECT_FALSE(made.numbers.empty());
     EXPECT_EQ(not_within(item, made), std::vector<std::string>{});
     EXPECT_FALSE(made.data.empty());
-    const bool is_svg = made.medium == drawing::Medium::svg;
+    const bool is_svg = made.medium == files::Medium::svg;
     EXPECT_TRUE(made.picture.starts_with(is_svg ? "<?xml" : "\x89PNG"));
 }
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "fields.h"
-#include "sampling/curve.h"
+#include "lattice/curve.h"
 
 namespace lacuna::tests {
 

@@ -65,7 +65,7 @@ struct MadeItem {
 
     std::string picture_name() const {
         return fmt::format("{}.{}", item.name,
-                           reproduction.medium == drawing::Medium::svg ? "svg" : "png");
+                           reproduction.medium == files::Medium::svg ? "svg" : "png");
     }
     std::string data_name() const { return fmt::format("{}.json", item.name); }
 };

@@ -111,7 +111,7 @@ DrawingOptions checked_drawing(const CommandLine& line, DrawingOptions options,
         throw BadRequest(*given, with,
                          "is for pictures, and for files with columns for dots: not for .txt");
     const auto is_png = [](const Output& output) {
-        return output.format.medium == drawing::Medium::png;
+        return output.format.medium == files::Medium::png;
     };
     if (line.has("dpi") && std::none_of(outputs.begin(), outputs.end(), is_png))
         throw BadRequest("dpi", with, "is for .png");

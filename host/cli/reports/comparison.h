@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "cli/terminal/observers.h"
-#include "drawing/medium.h"
+#include "files/medium.h"
 
 namespace lacuna::cli {
 
@@ -97,6 +97,6 @@ std::string work_text(const Comparison& comparison);
 std::string json_of(const Comparison& comparison, const Request& request);
 
 // A bar for each entry's median, divided into its verbs, and a line from fastest to slowest run.
-std::string draw_chart(const Comparison& comparison, drawing::Medium medium);
+std::string draw_chart(const Comparison& comparison, files::Medium medium);
 
 }  // namespace lacuna::cli

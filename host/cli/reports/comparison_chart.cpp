@@ -127,7 +127,7 @@ private:
 
 }  // namespace
 
-std::string draw_chart(const Comparison& comparison, drawing::Medium medium) {
+std::string draw_chart(const Comparison& comparison, files::Medium medium) {
     std::vector<const Entry*> entries;
     for (const Entry& entry : comparison.entries)
         if (entry.has_run()) entries.push_back(&entry);

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/polling.h"
+#include "lattice/lattice.h"
 #include "plan/pixels.h"
 #include "relax/cpu/tile.h"
-#include "relax/lattice.h"
 
 namespace lacuna::relaxing::cpu {
 

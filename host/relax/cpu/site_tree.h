@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/workers.h"
-#include "relax/lattice.h"
+#include "lattice/lattice.h"
 
 namespace lacuna::relaxing::cpu {
 

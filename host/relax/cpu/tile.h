@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "lattice/lattice.h"
 #include "relax/cpu/site_tree.h"
-#include "relax/lattice.h"
 
 namespace lacuna::relaxing::cpu {
 

@@ -8,8 +8,8 @@
 
 #include "backends/device/kernels.h"
 #include "backends/device/queue.h"
+#include "lattice/lattice.h"
 #include "portable/site_tree.h"
-#include "relax/lattice.h"
 
 namespace lacuna::relaxing::device {
 

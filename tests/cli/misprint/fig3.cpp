@@ -6,7 +6,7 @@ namespace lacuna::reproduce {
 Reproduction fig3(const Setting&) {
     return {{printed("planted", 100, 100.4, 0.5), printed("planted", 100, 100.6, 0.5)},
             {{"planted", true}},
-            drawing::Medium::svg,
+            files::Medium::svg,
             "<?xml?>"};
 }
 

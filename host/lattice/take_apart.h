@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/polling.h"
-#include "relax/lattice.h"
+#include "lattice/lattice.h"
 
 namespace lacuna::relaxing {
 

@@ -1,5 +1,5 @@
 // Moves sites that have the same position to free positions nearby.
-#include "relax/take_apart.h"
+#include "lattice/take_apart.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "relax/ranked.h"
+#include "lattice/ranked.h"
 
 namespace lacuna::relaxing {
 namespace {

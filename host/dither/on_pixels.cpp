@@ -2,7 +2,7 @@
 // curve, pixel by pixel (Deville & Tille 1998, "Unequal probability sampling without replacement
 // through a splitting method"), and then move from pixel to pixel (pixel_descent.cpp). Whole
 // numbers decide, so the samples are the same on every machine.
-#include "sampling/on_pixels.h"
+#include "dither/on_pixels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +10,12 @@
 #include <cstdint>
 #include <limits>
 
+#include "dither/pixel_descent.h"
+#include "dither/pixel_shares.h"
+#include "lattice/curve.h"
+#include "lattice/lattice.h"
 #include "plan/mask_tree.h"
-#include "relax/lattice.h"
 #include "rounds/random.h"
-#include "sampling/curve.h"
-#include "sampling/pixel_descent.h"
-#include "sampling/pixel_shares.h"
 
 namespace lacuna {
 namespace {
@@ -111,20 +111,6 @@ std::vector<Point> points_on_pixels(const Request& request, const Poll& poll) {
                 points.push_back(raster.centre(x, y, request.domain));
     }
     return points;
-}
-
-double least_pixel_step(const Raster& raster, const Domain& domain) {
-    double least = std::numeric_limits<double>::infinity();
-    const auto look = [&](std::uint32_t pixels, double side, const auto& at) {
-        for (std::uint32_t i = 1; i < pixels; ++i) least = std::min(least, at(i) - at(i - 1));
-        if (pixels > 1 && domain.wraps()) least = std::min(least, side - (at(pixels - 1) - at(0)));
-    };
-    const auto way = [&](std::uint32_t x, std::uint32_t y) {
-        return domain.from_corner(raster.centre(x, y, domain));
-    };
-    look(raster.columns, domain.width, [&](std::uint32_t i) { return way(i, 0).x; });
-    look(raster.rows, domain.height, [&](std::uint32_t i) { return way(0, i).y; });
-    return std::isinf(least) ? 0 : least;
 }
 
 }  // namespace lacuna

@@ -1,7 +1,7 @@
 // Descent on the error that samples make against the shares of their pixels, seen through
 // Gaussians, by moving one sample at a time to a pixel nearby (Analoui & Allebach 1992,
 // "Model-based halftoning using direct binary search").
-#include "sampling/pixel_descent.h"
+#include "dither/pixel_descent.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // The formats of pictures.
 #pragma once
 
-namespace lacuna::drawing {
+namespace lacuna::files {
 
 enum class Medium { svg, pdf, png };
 
-}  // namespace lacuna::drawing
+}  // namespace lacuna::files

@@ -1,5 +1,5 @@
 // A radix sort. Unlike std::sort it can stop after any number of elements, and it is faster here.
-#include "relax/ranked.h"
+#include "lattice/ranked.h"
 
 #include <array>
 #include <cstddef>

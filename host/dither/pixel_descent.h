@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sampling/pixel_shares.h"
+#include "dither/pixel_shares.h"
 
 namespace lacuna {
 

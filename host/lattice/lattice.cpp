@@ -1,5 +1,5 @@
 // Chooses the lattice: pixels are cut so finely that each sample has enough lattice points.
-#include "relax/lattice.h"
+#include "lattice/lattice.h"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "lattice/take_apart.h"
 #include "plan/corner.h"
-#include "relax/take_apart.h"
 #include "verify/verify.h"
 
 namespace lacuna::relaxing {

@@ -1,5 +1,5 @@
 // Mode stratified: inverts the cdf of importance along a Hilbert curve.
-#include "sampling/stratified.h"
+#include "lattice/stratified.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "relax/lattice.h"
+#include "lattice/curve.h"
+#include "lattice/lattice.h"
 #include "rounds/random.h"
-#include "sampling/curve.h"
 
 namespace lacuna {
 namespace {

@@ -14,7 +14,4 @@ namespace lacuna {
 // lie.
 std::vector<Point> points_on_pixels(const Request& request, const Poll& poll);
 
-// The least distance of the centres of two pixels, computed in double; 0 for a single pixel.
-double least_pixel_step(const Raster& raster, const Domain& domain);
-
 }  // namespace lacuna
