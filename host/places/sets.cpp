@@ -70,17 +70,17 @@ void check_at_least_0(const char* option, double value) {
         throw BadRequest(option, shortest(value), "must be a finite number of at least 0");
 }
 
-// Adds the images of the rings around a torus.
-void repeat(const Domain& domain, std::vector<PolygonRing>& rings) {
-    const std::vector<PolygonRing> own = rings;
+// Adds the images of the last rings around a torus. Each image is a set of its own, because where
+// two of them overlap a place is inside of both.
+void repeat(const Domain& domain, std::vector<std::vector<PolygonRing>>& sets) {
+    const std::vector<PolygonRing> own = sets.back();
     for (const int across : {-1, 0, 1})
-        for (const int up : {-1, 0, 1})
-            for (const PolygonRing& ring : own) {
-                if (across == 0 && up == 0) continue;
-                PolygonRing& image = rings.emplace_back(ring);
-                for (Point& point : image)
+        for (const int up : {-1, 0, 1}) {
+            if (across == 0 && up == 0) continue;
+            for (PolygonRing& ring : sets.emplace_back(own))
+                for (Point& point : ring)
                     point = {point.x + across * domain.width, point.y + up * domain.height};
-            }
+        }
 }
 
 }  // namespace
@@ -89,7 +89,8 @@ Sets::Sets(const Places& places, const Domain& domain, double border, const Clas
     const std::vector<std::string>& names = classes.names;
     const std::vector<Outline>& outlines = places.outlines;
     bool are_alike = classes.borders.empty();
-    std::vector<double> scales;  // of distances
+    std::vector<double> scales;         // of distances
+    std::vector<std::size_t> first{0};  // of the rings of an outline; then their end
     for (const auto& [polygons, role, distance, of_class, is_on_page] : outlines) {
         if (name_of(role).empty())
             throw BadRequest("inside", std::to_string(static_cast<long long>(role)),
@@ -99,7 +100,8 @@ Sets::Sets(const Places& places, const Domain& domain, double border, const Clas
             throw BadRequest(std::string(name_of(role)), of_class, "is no class of this set");
         scales.push_back(is_on_page ? scale_of_page(polygons, role, domain) : 1);
         rings_.push_back(fitted(polygons, domain));
-        if (is_obstacle(role) && domain.wraps()) repeat(domain, rings_.back());
+        if (is_obstacle(role) && domain.wraps()) repeat(domain, rings_);
+        first.push_back(rings_.size());
     }
     kinds_.resize(are_alike ? 1 : names.size());
     for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
@@ -123,12 +125,13 @@ Sets::Sets(const Places& places, const Domain& domain, double border, const Clas
         }
         for (std::vector<PolygonSet>& sets = sets_.emplace_back();
              const auto& [i, distance] : kinds_[kind])
-            sets.push_back(
-                {.rings = rings_[i],
-                 .forbidden = outlines[i].role == Role::outside || outlines[i].role == Role::avoid,
-                 .distance = distance,
-                 .near = outlines[i].role == Role::near,
-                 .option = std::string(name_of(outlines[i].role))});
+            for (std::size_t image = first[i]; image < first[i + 1]; ++image)
+                sets.push_back({.rings = rings_[image],
+                                .forbidden = outlines[i].role == Role::outside ||
+                                             outlines[i].role == Role::avoid,
+                                .distance = distance,
+                                .near = outlines[i].role == Role::near,
+                                .option = std::string(name_of(outlines[i].role))});
     }
 }
 

@@ -38,7 +38,7 @@ private:
     // The numbers of outlines, and how far points stay from each.
     using Clearances = std::vector<std::pair<std::size_t, double>>;
 
-    std::vector<std::vector<PolygonRing>> rings_;  // of each outline
+    std::vector<std::vector<PolygonRing>> rings_;  // of each outline, and of its images
     std::vector<Clearances> kinds_;
     std::vector<std::vector<PolygonSet>> sets_;
 };

@@ -170,5 +170,18 @@ TEST(SetsOfPolygons, HaveACountOnAFieldThatIsFinerThanTheirMask) {
     for (const Point& point : points) EXPECT_LT(point.x, 1.0 / 9 + 1e-8);
 }
 
+// Two rings that overlap only around the torus: a place in both is not outside.
+TEST(Obstacles, WhoseImagesOverlapAroundATorusCloseAllOfBoth) {
+    Request request{.domain = {.boundary = Boundary::torus}, .radius = 0.03};
+    request.places.outlines = {
+        {.polygons = {{rectangle(-0.1, 0.1, 0.4, 0.6), rectangle(0.94, 1.06, 0.45, 0.55)}, {}},
+         .role = Role::avoid,
+         .distance = 0.02}};
+    const Result set = sample(request);
+    for (const Point& point : set.points)
+        EXPECT_FALSE((point.x < 0.12 || point.x > 0.88) && point.y > 0.4 && point.y < 0.6);
+    EXPECT_TRUE(prove(set.points, claim_of(request, set)).maximal);
+}
+
 }  // namespace polygon_sets_test
 }  // namespace lacuna
