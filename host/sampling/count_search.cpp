@@ -23,17 +23,14 @@ double with_deviations(double count) {
     return count + kDeviations * kCountDeviation * std::sqrt(count);
 }
 
-// The request at a size, its radius or scale, instead of a count.
-CheckedRequest at_size(const CheckedRequest& request, double size, std::uint64_t limit) {
+// The request at a size, its radius or scale, instead of a count, for at most `most` points. A
+// limit of the request does not cut trials: the size must not depend on it.
+CheckedRequest at_size(const CheckedRequest& request, double size, std::uint64_t most) {
     return request.with([&](Request& trial) {
         (trial.field != nullptr ? trial.scale : trial.radius) = size;
         trial.count.reset();
-        trial.limit = limit;
+        trial.limit = most;
     });
-}
-
-std::uint64_t limit_of(const Request& request) {
-    return std::min(*request.count, request.limit.value_or(*request.count));
 }
 
 // One radius. The first trial has enough points for all but a few seeds. Each further trial aims
@@ -51,9 +48,9 @@ public:
                               std::pow(kMoreEachTrial, trials_++);
         const double radius = radius_expecting(request_, wanted);
         check_radius_for_count(request_, radius);
-        return {.request = at_size(request_, radius, limit_of(request_))};
+        return {.request = at_size(request_, radius, *request_->count)};
     }
-    bool is_enough(std::uint64_t points) override { return points == limit_of(request_); }
+    bool is_enough(std::uint64_t points) override { return points == *request_->count; }
 
 private:
     CheckedRequest request_;
@@ -73,11 +70,11 @@ public:
         // The spare room grows with the number n of trials before: kFieldSpare^(1 + n (n + 1) / 2).
         const double scale = scale_by_pilot(pilot_points_, 1 + trials_ * (trials_ + 1) / 2);
         ++trials_;
-        return {.request = at_size(request_, scale, limit_of(request_))};
+        return {.request = at_size(request_, scale, *request_->count)};
     }
 
     bool is_enough(std::uint64_t points) override {
-        if (!is_piloting_) return points == limit_of(request_);
+        if (!is_piloting_) return points == *request_->count;
         pilot_points_ = points;
         is_piloting_ = corrections_++ < kFarCorrections && correct_scale();
         return false;

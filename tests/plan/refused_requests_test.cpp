@@ -47,8 +47,8 @@ TEST(Requests, ThatMakeNoSenseAreRefusedInOneLine) {
          {.radius = 0.1, .metric = static_cast<Metric>(-1)}},
         {"mask 3x2 with 5" + size, {.radius = 0.1, .mask = &five}},
         {"accepted", {.radius = 0.1, .mask = &closed}},
-        {"count 10: points may lie nowhere in the domain, [0, 1) x [0, 1): must be a set without a "
-         "count",
+        {"count 10: points may lie nowhere in the domain, [0, 1) x [0, 1): must be a set without "
+         "--count",
          {.count = 10, .mask = &closed}},
         {"keep point 0 at (nan, 0): must lie in the domain, [0, 1] x [0, 1]",
          {.radius = 0.1, .keep = nowhere}},

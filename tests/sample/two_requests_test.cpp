@@ -51,6 +51,11 @@ TEST(TwoRequests, MakeOneSetOrTheBeginningOfIt) {
             r.mode = Mode::cells, r.metric = Metric::mean, r.field = &field, r.scale = scale;
         };
     };
+    const auto narrow = [](Request& r) {
+        r.radius.reset(), r.count = 35, r.seed = 16328330612595979849ULL;
+        r.mode = Mode::lines, r.paper2011.snap = true, r.paper2011.round_size = 1;
+        r.domain = {0.14892936738060039, 2.9166350630812974, Boundary::torus};
+    };
     const auto one = classes({0.03}), two = classes({0.08, 0.06, 0.06, 0.04});
     struct Row {
         std::string name;
@@ -68,6 +73,9 @@ TEST(TwoRequests, MakeOneSetOrTheBeginningOfIt) {
           [&](Request& r) {
               r.border = 0.3, r.classes.borders = {0.1}, r.classes.masks = {&chess};
           }}},
+        {"a limit of a count, whose first radius has room for fewer points",
+         {narrow},
+         {narrow, limit(8)}},
         {"a sixteenth of the importance", {in_cells(ramp, 0.04)}, {in_cells(sixteenth, 0.01)}},
         {"a number of a class, which comes first as if the other were not there",
          {two,
