@@ -6,8 +6,9 @@
 
 int main() {
     using lacuna::Role;
-    const std::vector<lacuna::PolygonRing> park{{{0, 0}, {90, 5}, {100, 70}, {10, 80}},
-                                                {{40, 30}, {60, 30}, {50, 45}}};  // a hole: the pond
+    const std::vector<lacuna::PolygonRing> park{
+        {{0, 0}, {90, 5}, {100, 70}, {10, 80}},
+        {{40, 30}, {60, 30}, {50, 45}}};  // a hole: the pond
     const std::vector<lacuna::PolygonRing> road{{{0, 60}, {100, 20}}}, fence{{{10, 10}, {85, 12}}};
     lacuna::Request request;
     request.classes = {.names = {"trees", "bushes"},

@@ -59,17 +59,17 @@ typedef struct lacuna_given {
     const unsigned char* kept_classes;
     /* With --class, likewise of each point that lacuna_verify() is given, and for no other call. */
     const unsigned char* classes;
-    /* Polygons, obstacles and what points are near, in place of a mask. Without --domain they decide
-     * the domain: 1x1, or as far as they reach. Points may begin --edge E inside of an outline, by
-     * default a sixteenth of the least radius. */
+    /* Polygons, obstacles and what points are near, in place of a mask. Without --domain they
+     * decide the domain: 1x1, or as far as they reach. Points may begin --edge E inside of an
+     * outline, by default a sixteenth of the least radius. */
     const struct lacuna_outline* outlines;
     size_t outline_count;
 } lacuna_given;
 
 /* Rings that belong together, and what they are for points. */
 typedef struct lacuna_outline {
-    /* x and y of each point of all rings, ring after ring, each closed without its first point again.
-     * An odd number of rings goes around what is inside: a ring in a ring is a hole. */
+    /* x and y of each point of all rings, ring after ring, each closed without its first point
+     * again. An odd number of rings goes around what is inside: a ring in a ring is a hole. */
     const double* xy;
     const size_t* ring_sizes;
     size_t rings;

@@ -74,8 +74,9 @@ struct Claim {
     const Field* field = nullptr;
     double scale = 0;  // > 0; with classes it may be 0
 
-    // Where points may lie, as in Request. Spots nearer to outlines than Places::edge need no point;
-    // it may be 0. The mask must outlive the call, and must not be one that draw_places() has drawn.
+    // Where points may lie, as in Request. Spots nearer to outlines than Places::edge need no
+    // point; it may be 0. The mask must outlive the call, and must not be one that draw_places()
+    // has drawn.
     Places places{};
     const Mask* mask = nullptr;
     double border = 0;
