@@ -29,11 +29,9 @@ void take_raster(std::optional<Raster>& raster, const char* option, const Value*
 }
 
 Role role_of(const lacuna_outline& outline) {
-    const std::string_view name = outline.role == nullptr ? "" : outline.role;
-    for (const Role role : {Role::inside, Role::outside, Role::avoid, Role::near})
-        if (name == name_of(role)) return role;
-    throw BadRequest("outlines", shown(std::string(name)),
-                     "the role must be inside, outside, avoid or near");
+    const std::string name = outline.role == nullptr ? "" : outline.role;
+    if (const std::optional<Role> role = role_called(name)) return *role;
+    throw BadRequest("outlines", shown(name), "the role must be inside, outside, avoid or near");
 }
 
 std::vector<Outline> outlines_of(const lacuna_given* given) {
@@ -45,8 +43,7 @@ std::vector<Outline> outlines_of(const lacuna_given* given) {
         const lacuna_outline& one = given->outlines[i];
         Outline& outline = outlines.emplace_back();
         outline.role = role_of(one);
-        if (outline.role == Role::avoid || outline.role == Role::near)
-            outline.distance = one.distance;
+        if (has_distance(outline.role)) outline.distance = one.distance;
         if (one.of_class != nullptr) outline.of_class = one.of_class;
         const std::string name(name_of(outline.role));
         if (one.ring_sizes == nullptr && one.rings != 0)

@@ -37,6 +37,12 @@ std::vector<PolygonRing> fitted(Polygons polygons, const Domain& domain) {
     return std::move(polygons.rings);
 }
 
+std::optional<Role> role_called(std::string_view name) {
+    for (const Role role : kRoles)
+        if (name == name_of(role)) return role;
+    return std::nullopt;
+}
+
 namespace places {
 namespace {
 
@@ -46,10 +52,6 @@ double least_of(const Classes& classes) {
     for (const double distance : classes.distances)
         if (distance > 0) least = std::min(least, distance);
     return least;
-}
-
-bool is_obstacle(Role role) {
-    return role == Role::avoid || role == Role::near;
 }
 
 // The length of a unit of the page.
@@ -100,7 +102,7 @@ Sets::Sets(const Places& places, const Domain& domain, double border, const Clas
             throw BadRequest(std::string(name_of(role)), of_class, "is no class of this set");
         scales.push_back(is_on_page ? scale_of_page(polygons, role, domain) : 1);
         rings_.push_back(fitted(polygons, domain));
-        if (is_obstacle(role) && domain.wraps()) repeat(domain, rings_);
+        if (has_distance(role) && domain.wraps()) repeat(domain, rings_);
         first.push_back(rings_.size());
     }
     kinds_.resize(are_alike ? 1 : names.size());
@@ -118,9 +120,9 @@ Sets::Sets(const Places& places, const Domain& domain, double border, const Clas
                 one.of_class.empty() && (one.role != Role::inside || !has_inside);
             if (!is_for_all && !is_own(one)) continue;
             const bool is_of_objects = places.border_by_radius && one.role == Role::avoid;
-            const double distance = one.distance            ? scales[i] * *one.distance
-                                    : is_obstacle(one.role) ? 0
-                                                            : own_border;
+            const double distance = one.distance             ? scales[i] * *one.distance
+                                    : has_distance(one.role) ? 0
+                                                             : own_border;
             kinds_[kind].emplace_back(i, distance + (is_of_objects ? own_border : 0));
         }
         for (std::vector<PolygonSet>& sets = sets_.emplace_back();

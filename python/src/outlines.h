@@ -18,13 +18,6 @@
 
 namespace lacuna::python {
 
-// Arguments that are no role, such as `rings` of draw_mask, are insides.
-inline Role role_called(std::string_view argument) {
-    for (const Role role : {Role::outside, Role::avoid, Role::near})
-        if (argument == name_of(role)) return role;
-    return Role::inside;
-}
-
 // Needs the GIL until it is made.
 class Outlines {
 public:
@@ -32,7 +25,8 @@ public:
         for (const nb::handle one : given) {
             const auto parts = nb::cast<nb::tuple>(one);
             Outline& outline = outlines_.emplace_back();
-            outline.role = role_called(nb::cast<std::string>(parts[0]));
+            // Arguments that are no role, such as `rings` of draw_mask, are insides.
+            outline.role = role_called(nb::cast<std::string>(parts[0])).value_or(Role::inside);
             for (const nb::handle ring : nb::cast<nb::list>(parts[1]))
                 arrays_.emplace_back(outlines_.size() - 1, nb::cast<PointArray>(ring));
             outline.distance = nb::cast<std::optional<double>>(parts[2]);

@@ -68,14 +68,11 @@ Targets targets_of(DomainOptions& options) {
                     {"class", &options.classes.given},
                     {"between", &options.classes.between},
                     {"mask", &options.mask},
-                    {"inside", &options.inside},
-                    {"outside", &options.outside},
-                    {"avoid", &options.avoid},
-                    {"near", &options.near},
                     {"edge", &options.edge},
                     {"border", &options.borders},
                     {"inside-by-radius", &options.inside_by_radius},
                     {"keep", &options.keep}};
+    for (const Role role : kRoles) targets[name_of(role)] = &options.outlines[role];
     targets.merge(targets_of(options.field));
     return targets;
 }
@@ -105,11 +102,9 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
         if (!request.scale && !request.count) request.scale = 1;
     }
     std::vector<Outline>& outlines = request.places.outlines;
-    for (const auto& [role, texts] :
-         {std::pair{Role::inside, &options.inside}, std::pair{Role::outside, &options.outside},
-          std::pair{Role::avoid, &options.avoid}, std::pair{Role::near, &options.near}})
-        for (const std::string& text : *texts) {
-            const bool may_be_of_class = role == Role::inside || role == Role::outside;
+    for (const auto& [role, texts] : options.outlines)
+        for (const std::string& text : texts) {
+            const bool may_be_of_class = !has_distance(role);
             const std::vector<std::string>& names = names_of_classes(options, request);
             const auto& [own, path] =
                 may_be_of_class ? class_and_path(text, names) : std::pair(std::string(), text);
@@ -214,14 +209,12 @@ Json json_of(const DomainOptions& options, const Request& request, const DomainF
         json.update(json_of_importance(options.field.importance));
     }
     // One name is a text, and several are a list.
-    const auto add_paths = [&](const char* name, const std::vector<std::string>& paths) {
-        if (!paths.empty()) json[name] = paths.size() == 1 ? Json(paths.front()) : Json(paths);
+    const auto add_paths = [&](std::string_view name, const std::vector<std::string>& paths) {
+        if (!paths.empty())
+            json[std::string(name)] = paths.size() == 1 ? Json(paths.front()) : Json(paths);
     };
     add_paths("mask", options.mask);
-    add_paths("inside", options.inside);
-    add_paths("outside", options.outside);
-    add_paths("avoid", options.avoid);
-    add_paths("near", options.near);
+    for (const auto& [role, texts] : options.outlines) add_paths(name_of(role), texts);
     if (files.edge != 0) json["edge"] = files.edge;
     json.update(json_of(request.classes));
     if (request.border != 0) json["border"] = request.border;

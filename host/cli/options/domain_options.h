@@ -90,11 +90,9 @@ std::string path_of_obstacles(const std::string& text);
 struct DomainOptions {
     Picture field;
     EllipseOptions ellipses;
-    std::vector<std::string> mask;     // IMAGE or NAME:IMAGE
-    std::vector<std::string> inside;   // FILE or NAME:FILE
-    std::vector<std::string> outside;  // likewise
-    std::vector<std::string> avoid;    // FILE or FILE:WIDTH
-    std::vector<std::string> near;     // likewise
+    std::vector<std::string> mask;  // IMAGE or NAME:IMAGE
+    // FILE or NAME:FILE; of roles that have a distance, FILE, FILE:WIDTH or FILE:stroke.
+    std::map<Role, std::vector<std::string>> outlines;
     std::optional<double> edge;
     std::string keep;
     recipes::ClassOptions classes;

@@ -96,7 +96,7 @@ std::string path_of_obstacles(const std::string& text) {
 
 std::vector<Outline> read_outlines(Role role, const std::string& text) {
     const std::string option(name_of(role));
-    if (role == Role::inside || role == Role::outside)
+    if (!has_distance(role))
         return {{read_for(option, [&] { return read_polygons(text); }), role, {}, {}}};
     const FileAndWidth given = file_and_width(text);
     const bool is_near = role == Role::near;

@@ -115,10 +115,7 @@ std::string places(const SetClaim& claim) {
         for (const std::string& path : paths)
             append(name, fmt::format("{}, to an edge of {}", printable(path), *claim.places.edge));
     };
-    append_polygons("inside", given.inside);
-    append_polygons("outside", given.outside);
-    append_polygons("avoid", given.avoid);
-    append_polygons("near", given.near);
+    for (const auto& [role, paths] : given.outlines) append_polygons(name_of(role), paths);
     if (const std::string border = borders(claim); !border.empty()) append("border", border);
     if (!given.keep.empty())
         append("kept", fmt::format("{}, {} point{}", printable(given.keep), claim.keep.size(),
@@ -128,14 +125,16 @@ std::string places(const SetClaim& claim) {
 }
 
 std::string reason(const SetClaim& claim) {
+    const std::vector<Outline>& outlines = claim.places.outlines;
+    const auto is_inside = [](const Outline& one) { return one.role == Role::inside; };
     switch (claim.proof.forbidden_by) {
         case Proof::Closed::importance:
             return "where the field has no importance";
         case Proof::Closed::mask:
             return "where the mask lets none lie";
         case Proof::Closed::polygons:
-            return claim.options.outside.empty() && claim.options.avoid.empty() &&
-                           claim.options.near.empty() && borders(claim).empty()
+            return std::all_of(outlines.begin(), outlines.end(), is_inside) &&
+                           borders(claim).empty()
                        ? "outside the polygons"
                        : "where the polygons let none lie";
         case Proof::Closed::border:

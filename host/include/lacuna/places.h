@@ -12,8 +12,8 @@
 #include <lacuna/domain.h>
 #include <lacuna/export.h>
 
+#include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,7 +40,14 @@ struct Polygons {
 //            near; an inside has no meaning
 // On a torus what to avoid and what is near has images on all sides.
 enum class Role { inside, outside, avoid, near };
+inline constexpr std::array kRoles{Role::inside, Role::outside, Role::avoid, Role::near};
 std::string_view name_of(Role role);
+std::optional<Role> role_called(std::string_view name);
+// Whether the distance from the rings is what the role is about: it must be given, and on a torus
+// the rings have images.
+inline bool has_distance(Role role) {
+    return role == Role::avoid || role == Role::near;
+}
 
 struct Outline {
     Polygons polygons{};
