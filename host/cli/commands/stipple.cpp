@@ -253,7 +253,9 @@ std::vector<Point> run_one(const CommandLine& line, const StippleCommand& all) {
 
     const Json asked = json_of(all, options, dots);
     const files::Origin origin = origin_of(line, request, made.result, asked);
-    auto [set, style] = drawing::shown(dots);
+    auto shown = drawing::shown(dots);
+    files::PointSet& set = shown.set;
+    drawing::Style& style = shown.style;
     style.pixels_per_inch = all.pixels_per_inch;
     set.origin = &origin;
     set.writes_ellipses = all.ellipse_columns;
