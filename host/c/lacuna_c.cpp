@@ -126,6 +126,8 @@ lacuna_set* relaxed(const char* options, const lacuna_given* given, const double
                          "are not for relax, which moves all points");
     if (given != nullptr && given->allowed != nullptr)
         throw BadRequest("mask", "given", "is not for relax, which moves points anywhere");
+    if (given != nullptr && given->outline_count != 0)
+        throw BadRequest("outlines", "given", "are not for relax, which moves points anywhere");
     Request request;
     recipes::Moves moves{.iterations = RelaxOptions().iterations};
     recipes::Targets targets = recipes::targets_of(request);

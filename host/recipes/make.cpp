@@ -3,6 +3,7 @@
 
 #include <lacuna/verify.h>
 
+#include <string_view>
 #include <utility>
 
 #include "lattice/lattice.h"
@@ -35,12 +36,14 @@ namespace {
 CommandLine line_of(const Request& request, Moves moves) {
     Moves usual;
     CommandLine line{kSample, given_in(kSample, targets_of(moves), targets_of(usual))};
-    const auto give = [&](const char* name, bool is_given) {
+    const auto give = [&](std::string_view name, bool is_given) {
         if (is_given) line.given.push_back({name, {}});
     };
     give("progressive", request.progressive);
     give("mask", request.mask != nullptr);
+    for (const Outline& one : request.places.outlines) give(name_of(one.role), true);
     give("border", request.border != 0);
+    give("inside-by-radius", request.places.border_by_radius);
     give("keep", !request.keep.empty());
     give("class", !request.classes.names.empty());
     give("ellipses", request.field != nullptr && !request.field->stretches.empty());

@@ -51,4 +51,31 @@ TEST(Refusals, AreInTheCommandsWords) {
     EXPECT_GT(rows, 150);
 }
 
+// What an outline lacks, and calls that have no use for one.
+TEST(Refusals, OfOutlinesNameTheirRole) {
+    const std::size_t sizes[] = {3};
+    const auto said = [&](lacuna_outline outline, const char* options, bool relaxes = false) {
+        lacuna_given given{};
+        given.outlines = &outline;
+        given.outline_count = 1;
+        lacuna_set* const set =
+            relaxes ? lacuna_relax(options, &given, kPoints, 3) : lacuna_sample(options, &given);
+        lacuna_free(set);
+        return std::string(set == nullptr ? lacuna_error() : "accepted");
+    };
+    const lacuna_outline whole{kPoints, sizes, 1, "inside", 0, nullptr};
+    lacuna_outline one = whole;
+    EXPECT_EQ(said(one, "--radius 0.1"), "accepted");
+    EXPECT_EQ(said(one, "", true),
+              "outlines given: are not for relax, which moves points anywhere");
+    EXPECT_EQ(said(one, "--count 50 --relax 3").substr(0, 6), "relax ");
+    one.role = "beside";
+    EXPECT_EQ(said(one, "--radius 0.1"),
+              "outlines beside: the role must be inside, outside, avoid or near");
+    one = whole, one.xy = nullptr;
+    EXPECT_EQ(said(one, "--radius 0.1"), "inside NULL: must be 3 points");
+    one = whole, one.of_class = "reeds";
+    EXPECT_EQ(said(one, "--radius 0.1"), "inside reeds: is no class of this set");
+}
+
 }  // namespace
