@@ -224,6 +224,10 @@ void add_others(const Shared& given, std::size_t size, std::vector<Call>& all) {
         const std::vector<PolygonSet> sets{{g.rings, true, 0.001}};
         draw_mask(sets, {1, 1}, 0.0015 * length);
     });
+    add("resolve", [=](const Given& g) {
+        resolve({.radius = 0.02,
+                 .places = {.outlines = {{.polygons = {g.rings, {}}}}, .edge = 0.0015 * length}});
+    });
     add("joined", [](const Given& g) { joined(g.rings); });
     add("fitted", [](const Given& g) { fitted({g.rings, Domain{2, 2}}, {1, 1}); });
 }

@@ -32,7 +32,7 @@ const std::set<std::string> kShort{"devices",        "distances_by_sum", "distan
                                    "expected_count", "inks_of",          "name_of",
                                    "paper_of",       "ask_older",        "domain_around",
                                    "domain_like",    "read_picture",     "check",
-                                   "claim_of"};
+                                   "claim_of",       "role_called",      "has_distance"};
 
 double seconds_now() {
     timespec now{};

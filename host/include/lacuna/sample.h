@@ -239,8 +239,8 @@ struct Result {
 
 // A request whose outlines are drawn onto masks, and whose borders by radius are numbers.
 struct Resolved {
-    Request request;  // its places are empty; it points into the masks
-    double edge = 0;  // of the outlines; 0: there are none
+    Request request = Request();  // its places are empty; it points into the masks
+    double edge = 0;              // of the outlines; 0: there are none
     std::shared_ptr<const std::vector<Mask>> masks{};
 };
 // What sample() does first. For who makes many sets of one request, or looks at the masks. Throws
