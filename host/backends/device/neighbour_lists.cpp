@@ -89,7 +89,8 @@ void NeighbourLists::put(std::span<const Sized> samples) {
     round_.put<std::uint32_t>(m.open_parts, open_parts);
     first_recent_ = 0;
     const auto count = static_cast<std::uint32_t>(samples.size());
-    if (count == 0) return round_.queue.wait();
+    // Without a block the tree is empty, and kernels that descend into it would read other memory.
+    if (count == 0 || blocks() == 0) return round_.queue.wait();
     std::vector<Candidate> candidates;
     std::vector<std::uint32_t> radii;
     for (std::uint32_t i = 0; i < count; ++i) {
