@@ -32,12 +32,12 @@ namespace {
 // (kSmallestRadius), and makes at most 2^25 pixels a side.
 constexpr double kLeastEdge = 0x1p-24;
 // By how much samplers may round the borders of a pixel, in lengths of the longer side.
-constexpr double kRounding = 0x1p-26;
+constexpr double kBorderRounding = 0x1p-26;
 
 // The number of pixels at which a pixel's diagonal, with what its borders are rounded by, is at
 // most `edge`.
 double pixels_along(double length, double edge, double longer) {
-    return std::max(1.0, std::ceil(length * std::sqrt(2.0) / (edge - longer * kRounding)));
+    return std::max(1.0, std::ceil(length * std::sqrt(2.0) / (edge - longer * kBorderRounding)));
 }
 
 places::Canvas canvas_of(const Domain& domain, double edge) {
