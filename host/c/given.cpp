@@ -96,17 +96,16 @@ Given::Given(const lacuna_given* given, Request& request, const recipes::Command
         take_raster(field_, "field", given->importance, given->columns, given->rows);
     if (mask_) request.mask = &*mask_;
     if (field_) request.field = &*field_;
-    const auto shape = [&](const auto& raster) {
-        request.domain = domain_like(raster.columns, raster.rows, request.domain.boundary);
-    };
-    if (field_ && !has_shape) shape(*field_);
-    if (mask_ && !field_ && !has_shape) shape(*mask_);
     request.places.outlines = outlines_of(given);
-    if (!has_shape && !field_ && !mask_ && given->outline_count != 0) {
-        const Boundary boundary = request.domain.boundary;
+    if (has_shape) return;
+    const Boundary boundary = request.domain.boundary;
+    if (field_)
+        request.domain = domain_like(field_->columns, field_->rows);
+    else if (mask_)
+        request.domain = domain_like(mask_->columns, mask_->rows);
+    else if (given->outline_count != 0)
         request.domain = domain_around(request.places);
-        request.domain.boundary = boundary;
-    }
+    request.domain.boundary = boundary;
 }
 
 void ClassesAndBorders::add_to(recipes::Targets& targets) {

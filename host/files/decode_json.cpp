@@ -121,8 +121,9 @@ std::optional<double> size_of(const Json& header, const char* key, const std::st
     return number > 0 ? std::optional(number) : std::nullopt;
 }
 
-double corner_of(const Json& header, const char* key) {
-    const Json& value = member_of(header, key);
+// 0 if there is none.
+double number_of(const Json& object, const char* key) {
+    const Json& value = member_of(object, key);
     return value.is_number() ? value.get<double>() : 0;
 }
 
@@ -155,7 +156,7 @@ std::vector<Level> levels_of(const Json& header, std::size_t points, const std::
     for (const Json& one : member_of(header, "levels")) {
         const Json& count = member_of(one, "count");
         if (!count.is_number()) continue;
-        const double size = corner_of(one, "radius") + corner_of(one, "scale");
+        const double size = number_of(one, one.contains("scale") ? "scale" : "radius");
         const auto number = count.get<double>();
         if (!(size > 0 && std::isfinite(size)) ||
             !(number >= 0 && number <= static_cast<double>(points)))
@@ -264,8 +265,8 @@ SetsOfFile decode_json(std::string_view bytes, const std::string& name) {
     if (width)
         file.domain = {.width = *width,
                        .height = *height,
-                       .x0 = corner_of(header, "x0"),
-                       .y0 = corner_of(header, "y0")};
+                       .x0 = number_of(header, "x0"),
+                       .y0 = number_of(header, "y0")};
     file.radius = size_of(header, "radius", name);
     file.scale = size_of(header, "scale", name);
     file.boundary = boundary_of(header, name);

@@ -97,7 +97,6 @@ void take_border(Request& request) {
     if (request.on_pixels) refuse("with --on-pixels", "its samples keep no distance");
     if (request.field != nullptr)
         refuse("with --field", "is for disks of one size, or of one for each class");
-    if (request.domain.wraps()) refuse("with --torus", "a torus has no edges");
     check_classes(request);
     places::take_border_by_radius(request.radius, request.domain, request.border, request.classes);
 }

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "base/number_text.h"
 #include "base/polling.h"
+#include "plan/sheets.h"
 
 namespace lacuna {
 
@@ -45,14 +45,6 @@ std::optional<Role> role_called(std::string_view name) {
 
 namespace places {
 namespace {
-
-// The least distance of two classes that is not 0; infinite if there is none.
-double least_of(const Classes& classes) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const double distance : classes.distances)
-        if (distance > 0) least = std::min(least, distance);
-    return least;
-}
 
 // The length of a unit of the page.
 double scale_of_page(const Polygons& polygons, Role role, const Domain& domain) {
@@ -149,14 +141,16 @@ std::span<const PolygonSet> Sets::most() const {
 
 void take_border_by_radius(std::optional<double> radius, const Domain& domain, double& border,
                            Classes& classes) {
+    if (domain.wraps())
+        throw BadRequest("inside-by-radius", "with --torus", "a torus has no edges");
     const std::size_t count = classes.names.size();
     const double shorter = domain.shorter_side();
     // Without a radius, or with one that will be refused, there is no border.
-    const double size = radius.value_or(count == 0 ? 0 : least_of(classes));
+    const double size = radius.value_or(count == 0 ? 0 : least_distance_of(classes));
     const double half = size > 0 && std::isfinite(size) ? size / 2 : 0;
     std::vector<double> radii(std::max<std::size_t>(1, count), half);
     for (std::size_t i = 0; i < count; ++i)
-        radii[i] = classes.distances[i * (count + 1)] / least_of(classes) * half;
+        radii[i] = classes.distances[i * (count + 1)] / least_distance_of(classes) * half;
     for (std::size_t i = 0; i < radii.size(); ++i) {
         if (!(radii[i] >= shorter / 2) || !(shorter > 0) || std::isinf(radii[i])) continue;
         throw BadRequest("inside-by-radius",
@@ -193,8 +187,6 @@ void check(const Claim& claim) {
         }
     }
     if (claim.places.edge) check_at_least_0("edge", *claim.places.edge);
-    if (claim.places.border_by_radius && claim.domain.wraps())
-        throw BadRequest("inside-by-radius", "with --torus", "a torus has no edges");
     if (claim.places.border_by_radius && (claim.field != nullptr || claim.mask != nullptr))
         throw BadRequest("inside-by-radius", "with --field or --mask",
                          "is for disks of one size, or of one for each class, and for outlines");
@@ -209,7 +201,7 @@ std::shared_ptr<const Claim> settled(const Claim& given) {
                               given.domain, claim->border, claim->classes);
     if (has_edge) return claim;
     double least = given.field != nullptr ? given.scale : given.radius;
-    if (least == 0) least = least_of(given.classes);
+    if (least == 0) least = least_distance_of(given.classes);
     if (given.field != nullptr) {
         const std::vector<double>& importance = given.field->importance;
         least /= std::sqrt(*std::max_element(importance.begin(), importance.end()));

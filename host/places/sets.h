@@ -44,7 +44,8 @@ private:
 };
 
 // Gives points, or each class, the border of Places::border_by_radius. Without a radius it is the
-// least distance of the classes. Throws BadRequest if the domain has no place for an object.
+// least distance of the classes. Throws BadRequest for a torus, and if the domain has no place for
+// an object.
 void take_border_by_radius(std::optional<double> radius, const Domain& domain, double& border,
                            Classes& classes);
 

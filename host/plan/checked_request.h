@@ -17,8 +17,8 @@ namespace lacuna {
 void check_request(const Request& request);
 
 // A request that check_request() has accepted, as plans are made of it: places are masks and
-// borders; classes give it the radius
-// or scale of their least distance if it has none and no count; one class is the same as none.
+// borders; classes give it the radius or scale of their least distance if it has none and no
+// count; one class is the same as none.
 class CheckedRequest {
 public:
     // Throws BadRequest. Implicit, so that a plan can be made of a request.
@@ -50,9 +50,8 @@ public:
 
     const Request& operator*() const { return resolved_.request; }
     const Request* operator->() const { return &resolved_.request; }
-    operator const Request&() const {
-        return resolved_.request;
-    }  // NOLINT(google-explicit-constructor)
+    // NOLINTNEXTLINE(google-explicit-constructor)
+    operator const Request&() const { return resolved_.request; }
 
 private:
     void sort_kept();

@@ -73,9 +73,11 @@ private:
     OfAll& all_;
 };
 
-Result made(const Request& request, std::uint64_t seed, OfAll& all) {
+Result made(const Resolved& resolved, std::uint64_t seed, OfAll& all) {
     OfOne observer(all);
-    return sample(with_seed(request, seed), observer);
+    Result set = sample(with_seed(resolved.request, seed), observer);
+    set.edge = resolved.edge;
+    return set;
 }
 
 void ask_all(OfAll& all) {
@@ -83,23 +85,23 @@ void ask_all(OfAll& all) {
     if (!all.keep_going()) throw Cancelled();
 }
 
-void one_by_one(const Request& request, std::span<const std::uint64_t> seeds, const TakeSet& take,
+void one_by_one(const Resolved& resolved, std::span<const std::uint64_t> seeds, const TakeSet& take,
                 OfAll& all) {
     for (const std::uint64_t seed : seeds) {
         ask_all(all);
-        take(seed, made(request, seed, all));
+        take(seed, made(resolved, seed, all));
         all.add_one();
     }
 }
 
-void in_batches(const Request& request, std::span<const std::uint64_t> seeds, const TakeSet& take,
+void in_batches(const Resolved& resolved, std::span<const std::uint64_t> seeds, const TakeSet& take,
                 OfAll& all) {
-    const int threads = request.place.threads == 0 ? tbb::info::default_concurrency()
-                                                   : static_cast<int>(request.place.threads);
+    const std::uint32_t wanted = resolved.request.place.threads;
+    const int threads = wanted == 0 ? tbb::info::default_concurrency() : static_cast<int>(wanted);
     make_sure_of_threads(threads);
     tbb::task_arena arena(threads);
-    Request single = request;
-    single.place.threads = 1;
+    Resolved single = resolved;
+    single.request.place.threads = 1;
     const std::size_t batch = kSetsAThread * static_cast<std::size_t>(threads);
     std::vector<std::optional<Result>> results(std::min(batch, seeds.size()));
     for (std::size_t begin = 0; begin < seeds.size(); begin += batch) {
@@ -130,11 +132,12 @@ void sample_many(const Request& request, std::span<const std::uint64_t> seeds,
 
 void sample_many(const Request& request, std::span<const std::uint64_t> seeds, const TakeSet& take,
                  Observer& observer) {
-    check_request(request);  // also if there are no seeds yet
+    const Resolved resolved = resolve(request);
+    check_request(resolved.request);  // also if there are no seeds yet
     OfAll all(observer, seeds.size());
     // The threads are checked by sample() itself, which would come too late here.
     const bool can_share = request.place.threads != 1 && request.place.threads <= kMostThreads;
-    (can_share && is_small(request) ? in_batches : one_by_one)(request, seeds, take, all);
+    (can_share && is_small(request) ? in_batches : one_by_one)(resolved, seeds, take, all);
 }
 
 }  // namespace lacuna

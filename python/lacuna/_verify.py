@@ -176,7 +176,7 @@ def _size(
         name, other, given, wrong = "scale", "radius", scale, radius
     if wrong is not None:
         reason = "is for a field" if other == "scale" else "with a field give scale"
-        raise BadRequest(other, shown(wrong), f"{reason}")
+        raise BadRequest(other, shown(wrong), reason)
     given = (own.get(name) or None) if given is None else given
     if given is None and has_ellipses:
         given = 1

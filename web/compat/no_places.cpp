@@ -3,6 +3,7 @@
 #include "places/sets.h"
 
 namespace lacuna {
+
 std::string_view name_of(Role) {
     return "inside";
 }

@@ -141,8 +141,8 @@ void read_domain_files(const CommandLine& line, const DomainOptions& options, Re
     request.places.border_by_radius = options.inside_by_radius;
     recipes::take_borders(options.borders, request);
     take_masks(files, request);
-    const Resolved resolved = resolve(request);
-    request = resolved.request;
+    Resolved resolved = resolve(request);
+    request = std::move(resolved.request);
     files.masks = resolved.masks;
     files.edge = resolved.edge;
 }
