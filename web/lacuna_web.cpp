@@ -16,12 +16,12 @@
 #include "base/number_text.h"
 #include "drawing/picture_svg.h"
 #include "files/point_files.h"
+#include "options/make.h"
+#include "options/settle.h"
+#include "options/targets.h"
 #include "pictures/image.h"
 #include "pictures/importance.h"
 #include "pictures/whole_samples.h"
-#include "recipes/make.h"
-#include "recipes/settle.h"
-#include "recipes/targets.h"
 
 namespace lacuna::files {
 
@@ -94,17 +94,17 @@ void take(const Request& request, Result result, Set& set) {
 // What the options of a command line say.
 struct Asked {
     StippleOptions stipple;  // of sample, the request alone
-    recipes::Given given;    // of sample
+    options::Choices given;  // of sample
     std::string mask;        // of sample: the name of the picture, if that is its mask
 };
 
 // Throws BadRequest for what the command or this module does not have, which read() leaves out.
 // Notes whether there is a domain.
-void check_names(const recipes::CommandLine& line, const recipes::Targets& targets,
-                 recipes::Given& noted) {
+void check_names(const options::CommandLine& line, const options::Targets& targets,
+                 options::Choices& noted) {
     for (const auto& [name, values] : line.given) {
         noted.has_domain |= name == "domain";
-        const recipes::Option* option = recipes::find_option(line.command, name);
+        const options::Option* option = options::find_option(line.command, name);
         const std::string value = values.empty() ? "given" : shown(values.front());
         const auto refuse = [&name = name, &value](const char* why) {
             throw BadRequest(std::string(name), value, why);
@@ -112,31 +112,31 @@ void check_names(const recipes::CommandLine& line, const recipes::Targets& targe
         if (option == nullptr) refuse("is no option of this command");
         if (option->is_argument()) continue;  // the picture, which is given as pixels
         if (!targets.contains(name)) refuse("is possible with the program lacuna alone");
-        const bool is_flag = option->kind == recipes::Kind::flag;
+        const bool is_flag = option->kind == options::Kind::flag;
         if (is_flag && !values.empty()) refuse("must have no value");
         if (!is_flag && values.empty()) refuse("must have a value");
     }
 }
 
 // Puts the options into the order of the table and reads them.
-Asked asked_by(recipes::CommandLine& line) {
+Asked asked_by(options::CommandLine& line) {
     Asked asked;
-    recipes::Targets targets;
-    if (line.command == recipes::kStipple) {
-        targets = recipes::targets_of(asked.stipple);
+    options::Targets targets;
+    if (line.command == options::kStipple) {
+        targets = options::targets_of(asked.stipple);
     } else {
         targets = {
             {"mode", &asked.given.mode}, {"relax", &asked.given.relax}, {"mask", &asked.mask}};
-        targets.merge(recipes::targets_of(asked.stipple.request));
+        targets.merge(options::targets_of(asked.stipple.request));
     }
     check_names(line, targets, asked.given);
     line.sort();
-    recipes::read(line, targets);
+    options::read(line, targets);
     return asked;
 }
 
 Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tell) {
-    const std::uint32_t relax = recipes::relax_of({.is_picture = true, .relax = options.relax});
+    const std::uint32_t relax = options::relax_of({.is_picture = true, .relax = options.relax});
     Teller teller(tell, relax);
     Stippling made = lacuna::stipple(fields_of(pixels, options), options, teller);
     Set set;
@@ -181,11 +181,11 @@ Set sample(const Pixels& pixels, const Asked& asked, const Tell& tell) {
         request.mask = &*mask;
         request.domain = domain_like(mask->columns, mask->rows, request.domain.boundary);
     }
-    const std::uint32_t relax = recipes::relax_of(asked.given);
-    recipes::settle(asked.given, request);
+    const std::uint32_t relax = options::relax_of(asked.given);
+    options::settle(asked.given, request);
     Teller teller(tell, relax);
     Set set;
-    take(request, recipes::make(request, {.iterations = relax}, teller).result, set);
+    take(request, options::make(request, {.iterations = relax}, teller).result, set);
     if (relax != 0) set.radius = 0;  // dots are drawn as large as their number lets them be
     set.mask = std::move(mask);
     return set;
@@ -193,14 +193,14 @@ Set sample(const Pixels& pixels, const Asked& asked, const Tell& tell) {
 
 }  // namespace
 
-std::string command_of(recipes::CommandLine line) {
+std::string command_of(options::CommandLine line) {
     const std::uint64_t seed = asked_by(line).stipple.request.seed;
     return line.text(seed);
 }
 
-Set make(const Pixels& pixels, recipes::CommandLine line, const Tell& tell) {
+Set make(const Pixels& pixels, options::CommandLine line, const Tell& tell) {
     const Asked asked = asked_by(line);
-    Set set = line.command == recipes::kStipple ? stipple(pixels, asked.stipple, tell)
+    Set set = line.command == options::kStipple ? stipple(pixels, asked.stipple, tell)
                                                 : sample(pixels, asked, tell);
     set.command = line.text(set.seed);
     return set;

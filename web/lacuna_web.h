@@ -13,7 +13,7 @@
 
 #include "drawing/picture.h"
 #include "files/point_files.h"
-#include "recipes/options.h"
+#include "options/options.h"
 
 namespace lacuna::web {
 
@@ -47,11 +47,11 @@ struct Set {
 // The command line of stipple or sample with these options, in the order of the table. Throws
 // BadRequest for an option that the command does not have, a text that is no value of its option,
 // and options that exclude or need each other.
-std::string command_of(recipes::CommandLine line);
+std::string command_of(options::CommandLine line);
 
 // The set of the command line: dots of the picture for stipple; for sample the picture is the mask,
 // if one is given. Throws what command_of, lacuna::stipple, lacuna::sample and lacuna::relax throw.
-Set make(const Pixels& pixels, recipes::CommandLine line, const Tell& tell);
+Set make(const Pixels& pixels, options::CommandLine line, const Tell& tell);
 
 // Whether the points are at least the radius apart and leave no gap.
 Proof prove(const Set& set, double radius);

@@ -15,7 +15,7 @@
 
 #include "base/number_text.h"
 #include "lacuna_web.h"
-#include "recipes/options.h"
+#include "options/options.h"
 
 namespace {
 
@@ -52,13 +52,13 @@ bool is_done(const Work& work) {
 
 // The command line of a form: the name of the command, then each option and its text, all ended by
 // a line end. A flag has no text.
-recipes::CommandLine line_of(std::string_view form) {
+options::CommandLine line_of(std::string_view form) {
     const auto next = [&form] {
         const std::string_view line = form.substr(0, form.find('\n'));
         form.remove_prefix(std::min(line.size() + 1, form.size()));
         return line;
     };
-    recipes::CommandLine line{recipes::command_called(next()).value(), {}};
+    options::CommandLine line{options::command_called(next()).value(), {}};
     while (!form.empty()) {
         line.given.push_back({next(), {}});
         if (const std::string_view text = next(); !text.empty())
@@ -94,7 +94,7 @@ EMSCRIPTEN_KEEPALIVE std::uint8_t* lacuna_room_for_pixels(std::uint32_t columns,
 // Writes the command line of a form to lacuna_text(), with the output `file`.
 EMSCRIPTEN_KEEPALIVE bool lacuna_command(const char* form, const char* file) {
     return is_done([&] {
-        state().text = web::command_of(line_of(form)) + " -o " + recipes::quoted_path(file);
+        state().text = web::command_of(line_of(form)) + " -o " + options::quoted_path(file);
     });
 }
 

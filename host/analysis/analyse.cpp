@@ -11,7 +11,7 @@
 #include "analysis/neighbours.h"
 #include "analysis/pairs.h"
 #include "base/threads.h"
-#include "verify/verify.h"
+#include "checks/domain.h"
 
 namespace lacuna::analysis {
 namespace {
@@ -213,7 +213,7 @@ void check_radius(double radius) {
 Analysis analyse(std::span<const std::vector<Point>> given, const Domain& domain,
                  std::span<const std::optional<double>> radii, const KeepGoing& keep_going,
                  const Effort& effort) {
-    verify::check_domain(
+    check_domain(
         {.width = domain.width, .height = domain.height, .x0 = domain.x0, .y0 = domain.y0});
     std::vector<std::vector<Point>> moved;
     std::span<const std::vector<Point>> sets = given;

@@ -78,7 +78,7 @@ struct Analysis {
 // Analyses sets in one domain: at least one set, each with at least one point. Points may lie on
 // the domain's upper edges. `radii` holds each set's radius, if it is known, or is empty.
 // Everything is computed from the domain's corner on. The result does not depend on the number of
-// threads. Throws BadRequest as verify::check_domain, check_radius and range_for do, and for too
+// threads. Throws BadRequest as check_domain, check_radius and range_for do, and for too
 // many threads; Unavailable if the system cannot create the threads; and Cancelled.
 Analysis analyse(std::span<const std::vector<Point>> sets, const Domain& domain,
                  std::span<const std::optional<double>> radii, const KeepGoing& keep_going,

@@ -7,14 +7,14 @@
 
 #include "analysis/analyse.h"
 #include "base/polling.h"
-#include "plan/corner.h"
-#include "verify/verify.h"
+#include "checks/domain.h"
+#include "verify/domain.h"
 
 namespace lacuna {
 namespace {
 
 void check(std::span<const std::vector<Point>> sets, const Domain& domain) {
-    verify::check_domain(domain);
+    check_domain(domain);
     if (sets.empty()) throw BadRequest("sets", "none", "there must be at least one");
     for (std::size_t i = 0; i < sets.size(); ++i) {
         if (sets[i].empty())

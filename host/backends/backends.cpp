@@ -99,12 +99,12 @@ std::string names() {
     return all;
 }
 
-const Entry& entry_for(const Place& place) {
-    const std::string wanted = wanted_backend(place.backend);
+const Entry& entry_for(const RunOn& run_on) {
+    const std::string wanted = wanted_backend(run_on.backend);
     for (const Entry& entry : kBackends) {
         if (wanted != "auto" && wanted != entry.name) continue;
-        if (!place.device.empty() && !entry.has_devices)
-            throw BadRequest("device", place.device,
+        if (!run_on.device.empty() && !entry.has_devices)
+            throw BadRequest("device", run_on.device,
                              "backend " + std::string(entry.name) +
                                  " has no devices to choose from; opencl and vulkan have");
         return entry;
@@ -133,12 +133,12 @@ std::vector<Device> devices() {
     return all;
 }
 
-ReadyBackend make_backend(const Place& place, const Plan& plan, Observer& observer) {
-    const Entry& entry = entry_for(place);
+ReadyBackend make_backend(const RunOn& run_on, const Plan& plan, Observer& observer) {
+    const Entry& entry = entry_for(run_on);
     if (entry.make == nullptr) return {nullptr, std::string(entry.name)};
     // A device's kernels are built here, at first use.
     observer.begin(Verb::first_use);
-    std::unique_ptr<Backend> backend = entry.make(plan, {place.device, place.threads});
+    std::unique_ptr<Backend> backend = entry.make(plan, {run_on.device, run_on.threads});
     observer.end(Verb::first_use);
     return {std::move(backend), std::string(entry.name)};
 }

@@ -23,6 +23,6 @@ struct ReadyBackend {
     std::unique_ptr<Backend> backend;
     std::string name;
 };
-ReadyBackend make_backend(const Place& place, const Plan& plan, Observer& observer);
+ReadyBackend make_backend(const RunOn& run_on, const Plan& plan, Observer& observer);
 
 }  // namespace lacuna

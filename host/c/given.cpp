@@ -79,7 +79,7 @@ std::vector<std::string_view> names_of(const lacuna_given* given, std::string_vi
     return names;
 }
 
-Given::Given(const lacuna_given* given, Request& request, const recipes::CommandLine& line) {
+Given::Given(const lacuna_given* given, Request& request, const options::CommandLine& line) {
     if (given == nullptr) return;
     kept_ = points_of("keep", given->kept, given->kept_count);
     request.keep = kept_;
@@ -108,7 +108,7 @@ Given::Given(const lacuna_given* given, Request& request, const recipes::Command
     request.domain.boundary = boundary;
 }
 
-void ClassesAndBorders::add_to(recipes::Targets& targets) {
+void ClassesAndBorders::add_to(options::Targets& targets) {
     targets["class"] = &classes_.given;
     targets["between"] = &classes_.between;
     targets["border"] = &borders_;  // in place of the request's own, which is not of one class
@@ -119,9 +119,9 @@ void ClassesAndBorders::take_to(Request& request) const {
     if (classes_.has_file())
         throw BadRequest("between", shown(classes_.between),
                          "must be sum or union, as lacuna.h reads no files");
-    request.classes = recipes::read_classes(classes_, nullptr);
-    recipes::take_size_of_classes(request);
-    recipes::take_borders(borders_, request);
+    request.classes = options::read_classes(classes_, nullptr);
+    options::take_size_of_classes(request);
+    options::take_borders(borders_, request);
     request.places.border_by_radius = inside_by_radius_;
 }
 

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "recipes/classes.h"
-#include "recipes/targets.h"
+#include "options/classes.h"
+#include "options/targets.h"
 
 namespace lacuna::c {
 
@@ -28,7 +28,7 @@ class Given {
 public:
     // The domain of the request follows from the field, unless the options have one. Throws
     // BadRequest.
-    Given(const lacuna_given* given, Request& request, const recipes::CommandLine& line);
+    Given(const lacuna_given* given, Request& request, const options::CommandLine& line);
 
 private:
     std::vector<Point> kept_;
@@ -39,12 +39,12 @@ private:
 // The options of classes and borders.
 class ClassesAndBorders {
 public:
-    void add_to(recipes::Targets& targets);
+    void add_to(options::Targets& targets);
     // The request has its field, if there is one. Throws BadRequest.
     void take_to(Request& request) const;
 
 private:
-    recipes::ClassOptions classes_;
+    options::ClassOptions classes_;
     std::vector<std::string> borders_;
     bool inside_by_radius_ = false;
 };

@@ -18,12 +18,12 @@
 
 #include "base/number_text.h"
 #include "c/given.h"
+#include "checks/classes.h"
+#include "options/make.h"
+#include "options/read_text.h"
+#include "options/settle.h"
+#include "options/targets.h"
 #include "plan/checked_request.h"
-#include "plan/sheets.h"
-#include "recipes/make.h"
-#include "recipes/read_text.h"
-#include "recipes/settle.h"
-#include "recipes/targets.h"
 
 struct lacuna_set {
     std::vector<lacuna::Point> points{};
@@ -80,29 +80,29 @@ lacuna_set* sampled(const char* options, const lacuna_given* given) {
         throw BadRequest("classes", "given", "are those of the points that lacuna_verify() proves");
     Request request;
     c::ClassesAndBorders classes;
-    recipes::Given choices;
-    recipes::Moves moves;
-    recipes::Targets targets = recipes::targets_of(request);
-    targets.merge(recipes::targets_of(moves));
+    options::Choices choices;
+    options::Moves moves;
+    options::Targets targets = options::targets_of(request);
+    targets.merge(options::targets_of(moves));
     targets["mode"] = &choices.mode;
     targets["metric"] = &choices.metric;
     targets["relax"] = &choices.relax;
     classes.add_to(targets);
-    const recipes::CommandLine line =
-        recipes::read_text(recipes::kSample, options, targets, c::names_of(given, "field"));
+    const options::CommandLine line =
+        options::read_text(options::kSample, options, targets, c::names_of(given, "field"));
     const c::Given held(given, request, line);
     classes.take_to(request);
     choices.has_domain = line.has("domain");
     choices.gaussian = moves.gaussian;
-    moves.iterations = recipes::relax_of(choices);
-    recipes::settle(choices, request);
+    moves.iterations = options::relax_of(choices);
+    options::settle(choices, request);
     Watched observer;
-    return set_of(request, recipes::make(request, moves, observer).result);
+    return set_of(request, options::make(request, moves, observer).result);
 }
 
 lacuna_set* stippled(const char* options, const void* picture, std::size_t bytes) {
     StippleOptions asked;
-    recipes::read_text(recipes::kStipple, options, recipes::targets_of(asked));
+    options::read_text(options::kStipple, options, options::targets_of(asked));
     if (asked.tone.along != 1)
         throw BadRequest("along", shortest(asked.tone.along),
                          "makes ellipses, which have no place in lacuna.h");
@@ -129,19 +129,19 @@ lacuna_set* relaxed(const char* options, const lacuna_given* given, const double
     if (given != nullptr && given->outline_count != 0)
         throw BadRequest("outlines", "given", "are not for relax, which moves points anywhere");
     Request request;
-    recipes::Moves moves{.iterations = RelaxOptions().iterations};
-    recipes::Targets targets = recipes::targets_of(request);
-    targets.merge(recipes::targets_of(moves));
+    options::Moves moves{.iterations = RelaxOptions().iterations};
+    options::Targets targets = options::targets_of(request);
+    targets.merge(options::targets_of(moves));
     targets["iterations"] = &moves.iterations;
-    const recipes::CommandLine line =
-        recipes::read_text(recipes::kRelax, options, targets, c::names_of(given, "IMAGE"));
+    const options::CommandLine line =
+        options::read_text(options::kRelax, options, targets, c::names_of(given, "IMAGE"));
     const c::Given held(given, request, line);
     Watched observer;
     const std::vector<Point> all = c::points_of("points", points, count);
     Result result;
     result.points =
-        relax(all, request.field, recipes::relax_options_of(request, moves), observer).points;
-    recipes::note_moves(request, result);
+        relax(all, request.field, options::relax_options_of(request, moves), observer).points;
+    options::note_moves(request, result);
     return set_of(request, std::move(result));
 }
 
@@ -179,12 +179,12 @@ int verified(const char* options, const lacuna_given* given, const double* point
     Request request;
     Claim claim;
     c::ClassesAndBorders classes;
-    recipes::Targets targets = recipes::targets_of(request);
+    options::Targets targets = options::targets_of(request);
     targets["tolerance"] = &claim.tolerance;
     targets["distances-only"] = &claim.distances_only;
     classes.add_to(targets);
-    const recipes::CommandLine line =
-        recipes::read_text(recipes::kVerify, options, targets, c::names_of(given, "field"));
+    const options::CommandLine line =
+        options::read_text(options::kVerify, options, targets, c::names_of(given, "field"));
     const c::Given held(given, request, line);
     classes.take_to(request);
     if (!(request.field != nullptr ? request.scale : request.radius))

@@ -229,7 +229,7 @@ Patterns even_patterns(std::uint32_t columns, std::uint32_t rows, std::uint64_t 
     RelaxOptions options;
     options.domain = {static_cast<double>(columns), static_cast<double>(rows), Boundary::torus};
     options.iterations = kIterations;
-    options.place.backend = "cpu";
+    options.run_on.backend = "cpu";
     const Field everywhere{1, 1, {1}, {}};
     const std::uint64_t dots = std::uint64_t{columns} * rows / kMinority;
     const std::array<InkPart, 2> parts{{{&everywhere, dots}, {&everywhere, dots}}};

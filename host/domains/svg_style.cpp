@@ -129,7 +129,7 @@ std::string_view name_of(Property property) {
 }
 
 void Style::give(Property property, std::string_view value, const Rank& rank) {
-    Given& given = given_[static_cast<std::size_t>(property)];
+    Declaration& given = given_[static_cast<std::size_t>(property)];
     if (given.value.empty() || given.rank <= rank) given = {lower(trimmed(value)), rank};
 }
 

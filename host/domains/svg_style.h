@@ -66,16 +66,16 @@ private:
     // Which of two values counts: an important one, then that of the attribute `style` (2) over
     // that of a rule (1) and that of an attribute (0), then the more specific and the later rule.
     using Rank = std::tuple<bool, int, int, std::size_t>;
-    struct Given {
+    struct Declaration {
         std::string value;
         Rank rank{};
     };
-    const Given& given(Property property) const {
+    const Declaration& given(Property property) const {
         return given_[static_cast<std::size_t>(property)];
     }
     void give(Property property, std::string_view value, const Rank& rank);
 
-    std::array<Given, static_cast<std::size_t>(Property::count)> given_;
+    std::array<Declaration, static_cast<std::size_t>(Property::count)> given_;
 };
 
 class StyleSheets {

@@ -235,6 +235,10 @@ std::string draw(const files::PointSet& set, Medium medium, const Style& style) 
     return set.on_pixels ? draw_pixels(set) : draw_png(set, style);
 }
 
+std::string encode(const files::PointSet& set, const files::Format& format, const Style& style) {
+    return format.medium ? draw(set, *format.medium, style) : files::encode(set, format);
+}
+
 }  // namespace lacuna::drawing
 
 // The rows of pictures in the table of files/formats.cpp.

@@ -64,4 +64,8 @@ files::Dots dots_of(const files::PointSet& set, const Style& style);
 // every call. Throws files::FileError with cairo's reason.
 std::string draw(const files::PointSet& set, Medium medium, const Style& style = {});
 
+// The bytes of a file in the given format: pictures are drawn in the style, and other formats have
+// what files::encode() writes, and throw what it throws.
+std::string encode(const files::PointSet& set, const files::Format& format, const Style& style);
+
 }  // namespace lacuna::drawing

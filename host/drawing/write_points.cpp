@@ -28,7 +28,7 @@ std::string encode_points(std::span<const Point> points, std::string_view format
 }
 
 std::vector<Point> read_points(const std::string& path) {
-    return files::read_points(path);
+    return files::read_points(path).points;
 }
 
 }  // namespace lacuna

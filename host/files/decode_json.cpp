@@ -14,7 +14,7 @@
 
 #include "files/parse.h"
 #include "files/point_columns.h"
-#include "files/read_sets.h"
+#include "files/read_points.h"
 
 namespace lacuna::files {
 namespace {
@@ -137,7 +137,7 @@ std::optional<Boundary> boundary_of(const Json& header, const std::string& name)
 }
 
 // Values as texts; those of an array with colons between them.
-std::map<std::string, std::string> options_of(const Json& options) {
+std::map<std::string, std::string> values_of(const Json& options) {
     std::map<std::string, std::string> texts;
     for_each_value(options, "", [&](const Json& value, const std::string& key) {
         std::string text;
@@ -166,6 +166,20 @@ std::vector<Level> levels_of(const Json& header, std::size_t points, const std::
         levels.push_back({size, static_cast<std::uint64_t>(number)});
     }
     return levels;
+}
+
+Origin origin_of(const Json& header, std::size_t points, const std::string& name) {
+    Origin origin;
+    origin.scale = size_of(header, "scale", name).value_or(0);
+    if (const Json& said = member_of(header, "mode"); said.is_string())
+        for (const Mode mode :
+             {Mode::exact, Mode::lines, Mode::cells, Mode::stratified, Mode::pixels})
+            if (said.get_ref<const std::string&>() == name_of(mode)) origin.mode = mode;
+    if (const Json& maximal = member_of(header, "maximal"); maximal.is_boolean())
+        origin.maximal = maximal.get<bool>();
+    origin.values = values_of(member_of(header, "options"));
+    origin.levels = levels_of(header, points, name);
+    return origin;
 }
 
 LayersOfFile layers_of(const Json& layers) {
@@ -209,21 +223,23 @@ void take_layers(LayersOfFile layers, const std::vector<double>& each, const cha
     taken = std::move(layers);
 }
 
-void take_columns(const Json& header, const std::string& name, SetsOfFile& file) {
-    const std::size_t points = file.sets.front().size();
+void take_columns(const Json& header, const std::string& name, PointsOfFile& file) {
+    const std::size_t points = file.points.size();
     take_layers(layers_of(member_of(header, "classes")), numbers_of(member_of(header, "class")),
                 "class", "classes", name, points, file.classes);
     take_layers(layers_of(member_of(header, "inks")), numbers_of(member_of(header, "ink")), "ink",
                 "inks", name, points, file.inks);
     const Json& options = member_of(header, "options");
-    file.distances = numbers_of(member_of(options, "distances"));
-    file.weights = numbers_of(member_of(options, "weights"));
-    file.counts = counts_of(options, name);
-    file.borders = numbers_of(member_of(options, "borders"));
+    Classes& asked = file.origin.classes;
+    asked.distances = numbers_of(member_of(options, "distances"));
+    asked.weights = numbers_of(member_of(options, "weights"));
+    asked.counts = counts_of(options, name);
+    asked.borders = numbers_of(member_of(options, "borders"));
+    if (!asked.distances.empty()) asked.names = file.classes.names;
     const std::size_t classes = file.classes.names.size();
     for (const auto& [key, size] :
-         {std::pair{"weights", file.weights.size()}, std::pair{"counts", file.counts.size()},
-          std::pair{"borders", file.borders.size()}})
+         {std::pair{"weights", asked.weights.size()}, std::pair{"counts", asked.counts.size()},
+          std::pair{"borders", asked.borders.size()}})
         if (size != 0 && size != classes)
             refuse(name, fmt::format("\"{}\" has {} values: must be {}, one for each class", key,
                                      size, classes));
@@ -240,7 +256,7 @@ void take_columns(const Json& header, const std::string& name, SetsOfFile& file)
 
 }  // namespace
 
-SetsOfFile decode_json(std::string_view bytes, const std::string& name) {
+PointsOfFile decode_json(std::string_view bytes, const std::string& name) {
     PointsOfJson points(name);
     Json header;
     try {
@@ -253,8 +269,8 @@ SetsOfFile decode_json(std::string_view bytes, const std::string& name) {
     } catch (const Json::out_of_range&) {
         refuse(name, "has a number that is too large for a double");
     }
-    SetsOfFile file = one_set(points.points());
-    const std::size_t count = file.sets.front().size();
+    PointsOfFile file{.points = points.points()};
+    const std::size_t count = file.points.size();
     if (const Json& said = member_of(header, "count");
         said.is_number_unsigned() && said.get<std::uint64_t>() != count)
         refuse(name, fmt::format("{} points: \"count\" says {}", count, said.get<std::uint64_t>()));
@@ -268,14 +284,8 @@ SetsOfFile decode_json(std::string_view bytes, const std::string& name) {
                        .x0 = number_of(header, "x0"),
                        .y0 = number_of(header, "y0")};
     file.radius = size_of(header, "radius", name);
-    file.scale = size_of(header, "scale", name);
     file.boundary = boundary_of(header, name);
-    if (const Json& mode = member_of(header, "mode"); mode.is_string())
-        file.mode = mode.get<std::string>();
-    if (const Json& maximal = member_of(header, "maximal"); maximal.is_boolean())
-        file.maximal = maximal.get<bool>();
-    file.options = options_of(member_of(header, "options"));
-    file.levels = levels_of(header, count, name);
+    file.origin = origin_of(header, count, name);
     take_columns(header, name, file);
     return file;
 }

@@ -16,7 +16,7 @@
 #include "files/parse.h"
 #include "files/point_columns.h"
 #include "files/point_files.h"
-#include "files/read_sets.h"
+#include "files/read_points.h"
 #include "files/text_lines.h"
 
 namespace lacuna::files {
@@ -62,10 +62,10 @@ std::string encode_csv(const PointSet& set) {
     return bytes;
 }
 
-SetsOfFile decode_csv(std::string_view bytes, const std::string& name) {
+PointsOfFile decode_csv(std::string_view bytes, const std::string& name) {
     CsvRows rows(bytes, name);
-    SetsOfFile file = one_set({});
-    std::vector<Point>& points = file.sets.front();
+    PointsOfFile file;
+    std::vector<Point>& points = file.points;
     const PointColumns columns =
         rows.names().empty() ? PointColumns() : PointColumns(rows.names(), rows.place());
     ThirdCoordinate third(name);

@@ -35,7 +35,7 @@ void append_origin(std::string& bytes, const Origin& origin) {
     bytes += fmt::format(
         ",\"mode\":\"{}\",\"seed\":{},\"maximal\":{},"
         "\"options\":{},\"program\":\"lacuna\",\"version\":\"{}\"",
-        name_of(origin.mode), origin.seed, origin.maximal,
+        name_of(origin.mode.value_or(Mode::exact)), origin.seed, origin.maximal.value_or(false),
         origin.options.empty() ? "{}" : origin.options, origin.version);
     if (!origin.command.empty()) bytes += ",\"command\":" + quoted(origin.command);
 }

@@ -16,7 +16,7 @@
 #include "files/parse.h"
 #include "files/point_columns.h"
 #include "files/point_files.h"
-#include "files/read_sets.h"
+#include "files/read_points.h"
 
 namespace lacuna::files {
 namespace {
@@ -36,8 +36,8 @@ const std::vector<std::string>* columns_of_array(std::uint64_t count) {
 }
 
 template <class Number>
-SetsOfFile load_set(std::string_view data, std::endian order, const NpyHeader& header,
-                    const PointColumns& columns, const std::string& name) {
+PointsOfFile load_set(std::string_view data, std::endian order, const NpyHeader& header,
+                      const PointColumns& columns, const std::string& name) {
     const std::uint64_t count = header.shape[0];
     const std::size_t width = header.shape[1];
     const std::size_t whole = data.size() / (width * sizeof(Number));
@@ -47,8 +47,8 @@ SetsOfFile load_set(std::string_view data, std::endian order, const NpyHeader& h
     // Distances in the array, counted in numbers: from one point to the next, and from x to y.
     const std::size_t step = header.fortran_order ? 1 : width;
     const std::size_t across = header.fortran_order ? whole : 1;
-    SetsOfFile file = one_set(std::vector<Point>(whole));
-    std::vector<Point>& points = file.sets.front();
+    PointsOfFile file{.points = std::vector<Point>(whole)};
+    std::vector<Point>& points = file.points;
     ThirdCoordinate third(name);
     for (std::size_t i = 0; i < whole; ++i) {
         const auto at = [&](std::size_t column) {
@@ -102,7 +102,7 @@ std::string encode_npy(const PointSet& set) {
     return bytes;
 }
 
-SetsOfFile decode_npy(std::string_view bytes, const std::string& name) {
+PointsOfFile decode_npy(std::string_view bytes, const std::string& name) {
     const NpyHeader header = take_npy_header(bytes, name);
     const auto* const names =
         header.shape.size() == 2 ? columns_of_array(header.shape[1]) : nullptr;

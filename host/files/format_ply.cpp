@@ -18,7 +18,7 @@
 #include "files/ply.h"
 #include "files/point_columns.h"
 #include "files/point_files.h"
-#include "files/read_sets.h"
+#include "files/read_points.h"
 #include "files/text_lines.h"
 
 namespace lacuna::files {
@@ -171,11 +171,11 @@ std::string encode_ply(const PointSet& set) {
 
 namespace {
 
-SetsOfFile read_vertices(Rest& rest, const Element& vertex, const Header& header,
-                         const std::string& name) {
+PointsOfFile read_vertices(Rest& rest, const Element& vertex, const Header& header,
+                           const std::string& name) {
     const PointColumns columns = columns_of(vertex, name);
-    SetsOfFile file = one_set({});
-    std::vector<Point>& points = file.sets.front();
+    PointsOfFile file;
+    std::vector<Point>& points = file.points;
     ThirdCoordinate third(name);
     std::vector<double> values(vertex.properties.size());
     ElementReader reader(rest, vertex, header);
@@ -204,7 +204,7 @@ SetsOfFile read_vertices(Rest& rest, const Element& vertex, const Header& header
 
 }  // namespace
 
-SetsOfFile decode_ply(std::string_view bytes, const std::string& name) {
+PointsOfFile decode_ply(std::string_view bytes, const std::string& name) {
     Rest rest{bytes, 0, name};
     const Header header = ply::read_header(rest);
     for (const Element& element : header.elements) {

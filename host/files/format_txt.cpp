@@ -16,7 +16,7 @@
 #include "base/polling.h"
 #include "files/parse.h"
 #include "files/point_files.h"
-#include "files/read_sets.h"
+#include "files/read_points.h"
 #include "files/text_lines.h"
 
 namespace lacuna::files {
@@ -69,7 +69,7 @@ std::string encode_txt(const PointSet& set) {
     return bytes;
 }
 
-SetsOfFile decode_txt(std::string_view bytes, const std::string& name) {
+PointsOfFile decode_txt(std::string_view bytes, const std::string& name) {
     bytes = without_byte_order_mark(bytes);
     std::vector<Point> points;
     std::optional<std::uint64_t> count;
@@ -91,7 +91,7 @@ SetsOfFile decode_txt(std::string_view bytes, const std::string& name) {
     if (count && *count != points.size())
         refuse(name, fmt::format("{} point{}: the first line says {}", points.size(),
                                  points.size() == 1 ? "" : "s", *count));
-    return one_set(std::move(points));
+    return {.points = std::move(points)};
 }
 
 }  // namespace lacuna::files

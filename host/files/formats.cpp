@@ -27,11 +27,11 @@ std::string encode_json(const PointSet& set);
 std::string encode_svg(const PointSet& set);
 std::string encode_pdf(const PointSet& set);
 std::string encode_png(const PointSet& set);
-SetsOfFile decode_txt(std::string_view bytes, const std::string& name);
-SetsOfFile decode_csv(std::string_view bytes, const std::string& name);
-SetsOfFile decode_npy(std::string_view bytes, const std::string& name);
-SetsOfFile decode_ply(std::string_view bytes, const std::string& name);
-SetsOfFile decode_json(std::string_view bytes, const std::string& name);
+PointsOfFile decode_txt(std::string_view bytes, const std::string& name);
+PointsOfFile decode_csv(std::string_view bytes, const std::string& name);
+PointsOfFile decode_npy(std::string_view bytes, const std::string& name);
+PointsOfFile decode_ply(std::string_view bytes, const std::string& name);
+PointsOfFile decode_json(std::string_view bytes, const std::string& name);
 
 namespace {
 

@@ -13,13 +13,13 @@
 namespace lacuna::files {
 
 struct PointSet;
-struct SetsOfFile;
+struct PointsOfFile;
 
 struct Format {
     std::string_view extension;                  // with its dot, in lower case
     std::string (*encode)(const PointSet& set);  // returns the bytes of a file
     // Returns the sets in the file called `name`; null for a format that is only written.
-    SetsOfFile (*decode)(std::string_view bytes, const std::string& name) = nullptr;
+    PointsOfFile (*decode)(std::string_view bytes, const std::string& name) = nullptr;
     // Set if the format is a picture, which can be written but not read.
     std::optional<Medium> medium{};
     // Whether there is a place for the class, the ink and the ellipse of each point.

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "files/read_sets.h"
+#include "files/read_points.h"
 
 namespace lacuna::files {
 

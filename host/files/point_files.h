@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,16 +20,21 @@
 
 namespace lacuna::files {
 
-// How a set was made: .json, .svg and .pdf record it.
+// How a set was made: .json, .svg and .pdf record it, and .json is read again.
 struct Origin {
-    std::string version;  // version of the program
-    std::string command;  // a command line that makes the same set, if there is one
-    Mode mode = Mode::exact;
+    std::string version{};       // version of the program
+    std::string command{};       // a command line that makes the same set, if there is one
+    std::optional<Mode> mode{};  // unset: not known
     std::uint64_t seed = 0;
-    bool maximal = false;            // whether no further sample fits
-    std::string options = {};        // a JSON object of all options that the points depend on
-    std::vector<Level> levels = {};  // of a progressive order
-    double scale = 0;                // of the field, asked for or chosen; 0: there is no field
+    std::optional<bool> maximal{};  // whether no further sample fits
+    std::string options{};          // a JSON object of all options that the points depend on
+    std::vector<Level> levels{};    // of a progressive order
+    double scale = 0;               // of the field, asked for or chosen; 0: there is no field
+    // Of `options`, as it was read: each that has a value, which is a number, a word, "true", or
+    // several of these with colons between them; and the classes, which have names if there are
+    // distances.
+    std::map<std::string, std::string> values{};
+    Classes classes{};
 };
 
 // The sizes of the dots and their position on the page, for programs that draw them themselves.

@@ -12,9 +12,8 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "checks/domain.h"
 #include "lattice/take_apart.h"
-#include "plan/corner.h"
-#include "verify/verify.h"
 
 namespace lacuna::relaxing {
 namespace {
@@ -177,7 +176,7 @@ void check_in_domain(std::size_t number, const Point& point, const RelaxOptions&
 }
 
 void check_options(const RelaxOptions& options) {
-    verify::check_domain(options.domain);
+    check_domain(options.domain);
     if (options.iterations > kMostIterations)
         throw BadRequest("iterations", std::to_string(options.iterations),
                          "must be at most " + std::to_string(kMostIterations));

@@ -86,9 +86,9 @@ std::string report_of(const Request& request, const ResultOnRanks& result,
     Result made;
     made.lines_per_radius = result.lines_per_radius;
     Json asked = cli::what_decides(request, made);
-    asked.update(Json{{"backend", request.place.backend},
-                      {"device", request.place.device},
-                      {"threads", request.place.threads}});
+    asked.update(Json{{"backend", request.run_on.backend},
+                      {"device", request.run_on.device},
+                      {"threads", request.run_on.threads}});
     Json report{{"program", "lacuna-mpi"},
                 {"version", LACUNA_VERSION},
                 {"request", asked},

@@ -112,7 +112,7 @@ void check_same_everywhere(const MpiSample& all, const MpiRanks& ranks) {
 class Watch {
 public:
     Watch(const MpiSample& all, bool speaks)
-        : driver_(all.common.request.place.backend),
+        : driver_(all.common.request.run_on.backend),
           stopwatch_(!all.common.report.empty()),
           bar_(all.common.quiet || !speaks, all.progress) {}
     cli::Observers& observers() { return observers_; }
@@ -178,9 +178,9 @@ void run(const MpiSample& all, const MpiProgram& program) {
     MpiRanks ranks(MPI_COMM_WORLD);
     const Machine machine = look_at_machines(ranks.communicator());
     Request request = all.common.request;
-    if (request.place.threads == 0) request.place.threads = threads_for(machine);
-    if (request.place.memory_limit_bytes == 0)
-        request.place.memory_limit_bytes = machine.memory_bytes;
+    if (request.run_on.threads == 0) request.run_on.threads = threads_for(machine);
+    if (request.run_on.memory_limit_bytes == 0)
+        request.run_on.memory_limit_bytes = machine.memory_bytes;
     check_same_everywhere(all, ranks);
     check(all, request, ranks);
     program.join();
@@ -203,8 +203,8 @@ void add_sample(CLI::App& app, const MpiProgram* const& program) {
                          {"report", &all->common.report},
                          {"progress", &all->progress},
                          {"quiet", &all->common.quiet}};
-    targets.merge(recipes::targets_of(all->common.request));
-    cli::add_command(app, recipes::kMpiSample, kSampleDescription, targets,
+    targets.merge(options::targets_of(all->common.request));
+    cli::add_command(app, options::kMpiSample, kSampleDescription, targets,
                      [all, &program](const cli::CommandLine&) { run(*all, *program); });
 }
 

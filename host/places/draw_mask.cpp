@@ -19,9 +19,9 @@
 
 #include "base/number_text.h"
 #include "base/polling.h"
+#include "checks/domain.h"
 #include "places/draw_tree.h"
 #include "places/fair.h"
-#include "plan/corner.h"
 #include "plan/mask_tree.h"
 #include "plan/sizes.h"
 
@@ -41,10 +41,7 @@ double pixels_along(double length, double edge, double longer) {
 }
 
 places::Canvas canvas_of(const Domain& domain, double edge) {
-    const auto is_a_side = [](double side) { return side >= 1e-100 && side <= 1e100; };
-    if (!is_a_side(domain.width) || !is_a_side(domain.height))
-        throw BadRequest("domain", text_of(domain), "the sides must lie between 1e-100 and 1e100");
-    check_corner(domain);
+    check_domain(domain);
     if (!std::isfinite(edge) || !(edge > 0))
         throw BadRequest("edge", shortest(edge), "must be a finite number greater than 0");
     const double longer = domain.longer_side();
@@ -89,18 +86,13 @@ struct Extent {
     }
 };
 
-std::string option_of(const PolygonSet& set) {
-    if (!set.option.empty()) return set.option;
-    return set.near ? "near" : set.forbidden ? "outside" : "inside";
-}
-
 void check(const PolygonSet& set) {
     if (!(set.distance >= 0 && std::isfinite(set.distance)))
         throw BadRequest("border", shortest(set.distance), "must be a finite number of at least 0");
     for (std::size_t i = 0; i < set.rings.size(); ++i)
         for (const Point& point : set.rings[i])
             if (ask_after(); !places::is_fair(point))
-                throw BadRequest(option_of(set), "ring " + std::to_string(i),
+                throw BadRequest(std::string(name_of(set.role)), "ring " + std::to_string(i),
                                  "(" + shortest(point.x) + ", " + shortest(point.y) +
                                      "): " + std::string(places::kFair));
 }
@@ -116,10 +108,7 @@ std::shared_ptr<const DrawnMask> drawn(std::span<const PolygonSet> sets,
     for (const PolygonSet& set : sets)
         owned->rings.emplace_back(set.rings.begin(), set.rings.end());
     for (const PolygonSet& set : sets)
-        owned->sets.push_back({.rings = owned->rings[owned->sets.size()],
-                               .forbidden = set.forbidden,
-                               .distance = set.distance,
-                               .near = set.near});
+        owned->sets.push_back({owned->rings[owned->sets.size()], set.role, set.distance});
     const auto mask = std::make_shared<DrawnMask>(DrawnMask{std::move(tree), {}, {}});
     const MaskTree* const pixels = &mask->tree;
     const auto holds = [owned, pixels, canvas](Point at, bool may_touch) {
@@ -156,9 +145,7 @@ Domain domain_around(const Places& places) {
     Extent all;
     for (const Outline& outline : places.outlines) {
         if (outline.polygons.page) return *outline.polygons.page;
-        check({.rings = outline.polygons.rings,
-               .distance = outline.distance.value_or(0),
-               .option = std::string(name_of(outline.role))});
+        check({outline.polygons.rings, outline.role, outline.distance.value_or(0)});
         all.add(outline.polygons.rings,
                 outline.role == Role::near ? outline.distance.value_or(0) : 0);
     }

@@ -177,8 +177,9 @@ private:
 
     void add(const PolygonSet& set) {
         const double spare = canvas_.domain.longer_side() * 0x1p-27;
-        const Kind kind{set.forbidden, set.near, set.distance > 0,
-                        set.near ? std::max(0.0, set.distance - spare) : set.distance + spare};
+        const bool near = set.role == Role::near;
+        const Kind kind{is_forbidden(set.role), near, set.distance > 0,
+                        near ? std::max(0.0, set.distance - spare) : set.distance + spare};
         Active active{
             static_cast<std::uint32_t>(kinds_.size()), false, {near_.size(), 0}, {left_.size(), 0}};
         for (const PolygonRing& ring : set.rings)
@@ -189,8 +190,8 @@ private:
         active.left.end = left_.size();
         active_.push_back(active);
         kinds_.push_back(kind);
-        has_inside_ |= !set.forbidden && !set.near;
-        has_near_ |= set.near;
+        has_inside_ |= set.role == Role::inside;
+        has_near_ |= near;
     }
 
     // Edges and squares are seen from the domain's corner.
@@ -412,8 +413,9 @@ std::optional<MaskTree> draw_tree(std::span<const PolygonSet> sets, const Canvas
 bool allow(std::span<const PolygonSet> sets, Point at, bool may_touch) {
     bool has_inside = false, is_allowed = false, has_near = false, is_near = false;
     for (const PolygonSet& set : sets) {
-        has_inside |= !set.forbidden && !set.near;
-        has_near |= set.near;
+        const bool forbidden = is_forbidden(set.role);
+        has_inside |= set.role == Role::inside;
+        has_near |= set.role == Role::near;
         bool is_inside = false, is_too_near = false, is_within = false, is_on_edge = false;
         for (const PolygonRing& ring : set.rings)
             for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -428,10 +430,10 @@ bool allow(std::span<const PolygonSet> sets, Point at, bool may_touch) {
                 if ((from.y > at.y) == (to.y > at.y)) continue;
                 is_inside ^= at.x < from.x + (at.y - from.y) / (to.y - from.y) * (to.x - from.x);
             }
-        is_near |= set.near && is_within;
-        if (set.near) continue;
-        if (set.forbidden && ((is_inside && !is_on_edge) || is_too_near)) return false;
-        is_allowed |= !set.forbidden && (is_inside || is_on_edge) && !is_too_near;
+        is_near |= set.role == Role::near && is_within;
+        if (set.role == Role::near) continue;
+        if (forbidden && ((is_inside && !is_on_edge) || is_too_near)) return false;
+        is_allowed |= !forbidden && (is_inside || is_on_edge) && !is_too_near;
     }
     return (is_allowed || !has_inside) && (is_near || !has_near);
 }

@@ -9,10 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "checks/classes.h"
+#include "checks/pixels.h"
 #include "places/sets.h"
 #include "plan/checked_request.h"
 #include "plan/radius_field.h"
-#include "plan/sheets.h"
 #include "plan/sizes.h"
 
 namespace lacuna {
@@ -110,7 +111,8 @@ std::vector<Mask> masks_of(const Request& request, const places::Sets& sets, dou
         if (first < i) masks[i] = masks[first];
         if (first < i || sets[i].empty()) continue;
         try {
-            masks[i] = draw_places(sets[i], request.domain, edge, request.place.memory_limit_bytes);
+            masks[i] =
+                draw_places(sets[i], request.domain, edge, request.run_on.memory_limit_bytes);
         } catch (const BadRequest& error) {
             if (is_given || error.option() != "edge") throw;
             throw without_edge(error, request);

@@ -7,7 +7,7 @@
 
 #include "base/number_text.h"
 #include "base/polling.h"
-#include "plan/sheets.h"
+#include "checks/classes.h"
 
 namespace lacuna {
 
@@ -120,12 +120,7 @@ Sets::Sets(const Places& places, const Domain& domain, double border, const Clas
         for (std::vector<PolygonSet>& sets = sets_.emplace_back();
              const auto& [i, distance] : kinds_[kind])
             for (std::size_t image = first[i]; image < first[i + 1]; ++image)
-                sets.push_back({.rings = rings_[image],
-                                .forbidden = outlines[i].role == Role::outside ||
-                                             outlines[i].role == Role::avoid,
-                                .distance = distance,
-                                .near = outlines[i].role == Role::near,
-                                .option = std::string(name_of(outlines[i].role))});
+                sets.push_back({rings_[image], outlines[i].role, distance});
     }
 }
 

@@ -11,12 +11,12 @@
 
 #include "base/number_text.h"
 #include "base/polling.h"
-#include "plan/corner.h"
+#include "checks/classes.h"
+#include "checks/domain.h"
 #include "plan/ellipse.h"
 #include "plan/kept.h"
 #include "plan/mask_tree.h"
 #include "plan/pixels_at.h"
-#include "plan/sheets.h"
 
 namespace lacuna {
 namespace {
@@ -201,7 +201,7 @@ std::size_t class_of_kept(const Request& request, std::size_t index) {
 
 // Looks for two kept points that are too close, in each class and in each pair of classes.
 std::optional<Pair> find_too_close(const Request& request, std::span<const double> radii) {
-    const std::vector<double> shares = distances_of(request);
+    const std::vector<double> shares = distances_of(request.classes);
     const std::size_t count = std::max<std::size_t>(request.classes.names.size(), 1);
     std::vector<std::vector<std::uint32_t>> of_class(count);
     for (std::uint32_t i = 0; i < radii.size(); ++i)
@@ -265,9 +265,9 @@ void check_kept_distances(const Request& request, std::span<const std::uint32_t>
     const auto a = std::min(pair->first, pair->second), b = std::max(pair->first, pair->second);
     const bool has_classes = !request.classes.names.empty();
     const double share =
-        distances_of(request)[class_of_kept(request, a) *
-                                  std::max<std::size_t>(request.classes.names.size(), 1) +
-                              class_of_kept(request, b)];
+        distances_of(request.classes)[class_of_kept(request, a) *
+                                          std::max<std::size_t>(request.classes.names.size(), 1) +
+                                      class_of_kept(request, b)];
     const auto named = [&](std::uint32_t index) {
         return text_of(places.empty() ? index : places[index], request.keep[index]);
     };

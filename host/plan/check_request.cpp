@@ -10,20 +10,18 @@
 #include "base/number_text.h"
 #include "base/polling.h"
 #include "base/threads.h"
+#include "checks/classes.h"
+#include "checks/domain.h"
+#include "checks/pixels.h"
 #include "plan/checked_request.h"
-#include "plan/corner.h"
-#include "plan/sheets.h"
 #include "plan/sizes.h"
 
 namespace lacuna {
 namespace {
 
-constexpr double kLargestAspect = 1000.0;
 constexpr std::uint32_t kMostPixelsASide = 32767;  // of .png files
 constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 26;
 constexpr std::uint32_t kMostLinesPerRadius = 1000;
-constexpr double kMostStretch = 1000;                             // of an ellipse's radii
-constexpr double kMostAngle = 1000;                               // radians
 constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 31;     // of a set without distances
 constexpr std::uint64_t kMostRoundSize = std::uint64_t{1} << 31;  // draws have 32-bit numbers
 
@@ -49,33 +47,8 @@ void check_round_size(const Request& request) {
                          "must be 1 with --uniform-x, whose draws cannot be thinned");
     if (size > kMostRoundSize)
         throw BadRequest("round-size", value, "must be at most " + std::to_string(kMostRoundSize));
-    if (request.place.backend == "reference") return;  // the reference takes one draw at a time
+    if (request.run_on.backend == "reference") return;  // the reference takes one draw at a time
     refuse_more_memory(request, "round-size", value, kBytesPerDraw * static_cast<double>(size));
-}
-
-void check_stretches(const Request& request) {
-    const std::vector<Stretch>& stretches = request.field->stretches;
-    if (stretches.empty()) return;
-    if (stretches.size() != request.field->importance.size())
-        throw BadRequest("stretches", std::to_string(stretches.size()) + " values",
-                         "there must be one for each pixel of the field, " +
-                             std::to_string(request.field->importance.size()));
-    for_each_polled(stretches.size(), ask, [&](std::size_t i) {
-        if (const auto& [ratio, angle] = stretches[i];
-            !(ratio >= 1 && ratio <= kMostStretch) || !(std::abs(angle) <= kMostAngle))
-            throw BadRequest("stretches",
-                             shortest(ratio) + " at an angle of " + shortest(angle) + " at row " +
-                                 std::to_string(i / request.field->columns) + ", column " +
-                                 std::to_string(i % request.field->columns),
-                             "ratios must lie between 1 and " + shortest(kMostStretch) +
-                                 ", angles between -" + shortest(kMostAngle) + " and " +
-                                 shortest(kMostAngle));
-    });
-    if (request.mode != Mode::exact)
-        throw BadRequest("stretches", "with mode " + std::string(name_of(request.mode)),
-                         "are for mode exact");
-    if (!request.classes.names.empty())
-        throw BadRequest("class", "with ellipses", "classes have disks");
 }
 
 // Checks the options of a request with a field, except scale and count.
@@ -96,7 +69,12 @@ void check_field(const Request& request) {
         throw BadRequest("metric", std::string(name_of(request.metric)),
                          "is for mode cells; mode exact knows min");
     check_importance(*request.field);
-    check_stretches(request);
+    if (request.field->stretches.empty()) return;
+    if (request.mode != Mode::exact)
+        throw BadRequest("stretches", "with mode " + mode, "are for mode exact");
+    if (!request.classes.names.empty())
+        throw BadRequest("class", "with ellipses", "classes have disks");
+    check_stretches(*request.field);
 }
 
 void check_raster(const Request& request) {
@@ -142,53 +120,10 @@ void check_counted(const Request& request) {
 
 }  // namespace
 
-void check_disks(const Field& field, const char* who) {
-    if (!field.stretches.empty())
-        throw BadRequest("stretches", std::string("for ") + who, "are for mode exact of sample");
-}
-
-void check_importance(const Field& field) {
-    if (field.importance.size() != std::size_t{field.columns} * field.rows ||
-        field.importance.empty())
-        throw BadRequest("field",
-                         std::to_string(field.columns) + "x" + std::to_string(field.rows) +
-                             " with " + std::to_string(field.importance.size()) + " values",
-                         "needs columns * rows values, at least one");
-    // One pass without a branch, because there may be 2^28 pixels. The highest bit of a number is
-    // its sign. Adding a unit of the exponent carries into it if the number is not finite.
-    std::uint64_t any = 0, carried = 0;
-    for_each_polled(field.importance.size(), ask, [&](std::size_t i) {
-        const auto bits = std::bit_cast<std::uint64_t>(field.importance[i]);
-        any |= bits;
-        carried |= bits + (std::uint64_t{1} << 52U);
-    });
-    const bool is_fine = (any | carried) >> 63U == 0;
-    const bool is_zero = any << 1U == 0;  // of either sign
-    for (std::size_t i = 0; !is_fine && i < field.importance.size(); ++i)
-        if (!std::isfinite(field.importance[i]) || field.importance[i] < 0)
-            throw BadRequest("field",
-                             shortest(field.importance[i]) + " at row " +
-                                 std::to_string(i / field.columns) + ", column " +
-                                 std::to_string(i % field.columns),
-                             "importance must be a finite number of at least 0");
-    if (is_zero) throw BadRequest("field", "of zeros", "some importance must be greater than 0");
-}
-
 void check_request(const Request& request) {
     check_enums(request);
     check_raster(request);
-    const double shorter = request.domain.shorter_side();
-    const double longer = request.domain.longer_side();
-    const std::string domain = text_of(request.domain);
-    if (!std::isfinite(shorter) || !std::isfinite(longer) || !(shorter > 0))
-        throw BadRequest("domain", domain, "both sides must be finite numbers greater than 0");
-    if (longer > kLargestAspect * shorter)
-        throw BadRequest(
-            "domain", domain,
-            "the longer side may be at most " + shortest(kLargestAspect) + " times the shorter");
-    if (shorter < 1e-100 || longer > 1e100)
-        throw BadRequest("domain", domain, "the sides must lie between 1e-100 and 1e100");
-    check_corner(request.domain);
+    check_domain(request.domain);
     const std::uint32_t lines = lines_per_radius(request);
     if (lines < 1 || lines > kMostLinesPerRadius)
         throw BadRequest("lines-per-radius", std::to_string(lines),
@@ -213,8 +148,8 @@ void check_request(const Request& request) {
     if (!given && !request.count && request.classes.names.empty())
         throw BadRequest(size, "missing", "give either --" + size + " or --count");
     if (request.count && *request.count == 0) throw BadRequest("count", "0", "must be at least 1");
-    if (request.place.threads > kMostThreads)
-        throw BadRequest("threads", std::to_string(request.place.threads),
+    if (request.run_on.threads > kMostThreads)
+        throw BadRequest("threads", std::to_string(request.run_on.threads),
                          "must be at most " + std::to_string(kMostThreads));
     check_round_size(request);
 }

@@ -6,32 +6,24 @@
 
 #include "base/number_text.h"
 #include "base/polling.h"
+#include "checks/classes.h"
+#include "checks/domain.h"
+#include "checks/pixels.h"
 #include "plan/checked_request.h"
-#include "plan/corner.h"
 #include "plan/kept.h"
 #include "plan/mask_tree.h"
-#include "plan/sheets.h"
 
 namespace lacuna {
 namespace {
 
-void check_mask(const Mask& mask) {
-    if (mask.drawn) return;  // drawing has checked it
-    const std::string size = std::to_string(mask.columns) + "x" + std::to_string(mask.rows);
-    if (mask.allowed.size() != std::size_t{mask.columns} * mask.rows || mask.allowed.empty())
-        throw BadRequest("mask", size + " with " + std::to_string(mask.allowed.size()) + " values",
-                         "needs columns * rows values, at least one");
-}
-
-// `value` is the border as a message shows it.
-void check_border(const Request& request, double border, const std::string& value) {
-    const double half = request.domain.shorter_side() / 2;
+// A border that leaves a place for points.
+void check_border_of(const Domain& domain, double border, const std::string& value) {
+    const double half = domain.shorter_side() / 2;
     if (!(border >= 0 && border < half))
         throw BadRequest(
             "border", value,
             "must be at least 0 and under half of the domain's shorter side, " + shortest(half));
-    if (border > 0 && request.domain.wraps())
-        throw BadRequest("border", value, "is not for a torus, which has no edges");
+    check_border(domain, border, value);
 }
 
 void check_places_of_classes(const Request& request) {
@@ -39,8 +31,8 @@ void check_places_of_classes(const Request& request) {
     check_each(classes, "border", classes.borders.size(), " borders of classes");
     check_each(classes, "mask", classes.masks.size(), " masks of classes");
     for (std::size_t i = 0; i < classes.borders.size(); ++i)
-        check_border(request, classes.borders[i],
-                     classes.names[i] + ":" + shortest(classes.borders[i]));
+        check_border_of(request.domain, classes.borders[i],
+                        classes.names[i] + ":" + shortest(classes.borders[i]));
     for (const Mask* mask : classes.masks)
         if (mask != nullptr) check_mask(*mask);
 }
@@ -73,7 +65,7 @@ void check_where(const Request& request) {
     if (request.border != 0 && !exact) throw BadRequest("border", mode, "is for mode exact only");
     if (!request.keep.empty() && !exact) throw BadRequest("keep", mode, "is for mode exact only");
     if (request.mask != nullptr) check_mask(*request.mask);
-    check_border(request, request.border, shortest(request.border));
+    check_border_of(request.domain, request.border, shortest(request.border));
     check_places_of_classes(request);
     if (request.count && *request.count > 0 && !has_places(request))
         throw BadRequest("count", std::to_string(*request.count),

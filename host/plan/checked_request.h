@@ -60,11 +60,9 @@ private:
     std::shared_ptr<const SortedKept> kept_;  // null: all lie in the domain
 };
 
-// Checks that a field has a value for each pixel, all finite and at least 0, one above 0. Throws
+// Checks the names, weights, distances and counts of classes (check_classes.cpp). Throws
 // BadRequest.
-void check_importance(const Field& field);
-// Throws BadRequest if the field has stretches, for `who`, which knows only disks.
-void check_disks(const Field& field, const char* who);
+void check_classes(const Request& request);
 // Checks where samples may lie (check_where.cpp): the mask, the border and the kept points, but not
 // the points' distances, which depend on the radius. Throws BadRequest.
 void check_where(const Request& request);

@@ -29,7 +29,7 @@ class Halving {
 public:
     Halving(const Plan& plan, const PlacesOfClasses& places)
         : radius_field_(*plan.field().radius_field),
-          sheets_(plan.field().sheets),
+          copies_(plan.field().copies),
           places_(places),
           pieces_(plan.lines_per_radius) {
         // Reserves about as many as there will be boxes. Memory that stays unused is never touched.
@@ -41,26 +41,26 @@ public:
         ask_for_large_pages(first_.nodes.data(), 2 * boxes);
     }
 
-    // With several classes, node 0 has the sheets of all as its parts.
-    void cut_sheets(const Box& domain) {
-        if (!sheets_.are_several()) return cut_sheet(0, domain);
-        const std::uint32_t last = sheets_.begin_of(sheets_.count() - 1);
+    // With several classes, node 0 has the copies of all as its parts.
+    void cut_copies(const Box& domain) {
+        if (!copies_.are_several()) return cut_copy(0, domain);
+        const std::uint32_t last = copies_.begin_of(copies_.count() - 1);
         first_.nodes.push_back({{domain.x, last + domain.width, domain.begin, domain.end},
                                 radius_field_.under(domain).greatest,
                                 0,
                                 0,
                                 0});
-        for (std::uint32_t sheet = 0; sheet < sheets_.count(); ++sheet)
-            if (sheets_.weight(sheet) != 0) cut_sheet(sheet, domain);
+        for (std::uint32_t copy = 0; copy < copies_.count(); ++copy)
+            if (copies_.weight(copy) != 0) cut_copy(copy, domain);
         first_.nodes.front().next = static_cast<std::uint32_t>(first_.nodes.size());
     }
 
-    void cut_sheet(std::uint32_t sheet, const Box& domain) {
+    void cut_copy(std::uint32_t copy, const Box& domain) {
         const std::size_t node = first_.nodes.size();
-        factor_ = sheets_.factor_of_boxes(sheet);
-        own_ = places_.empty() ? nullptr : places_[sheet].get();
-        cut({sheets_.x_on(sheet, domain.x), domain.width, domain.begin, domain.end}, 0);
-        if (first_.nodes.size() > node) first_.sheets.push_back(static_cast<std::uint32_t>(node));
+        factor_ = copies_.factor_of_boxes(copy);
+        own_ = places_.empty() ? nullptr : places_[copy].get();
+        cut({copies_.x_on(copy, domain.x), domain.width, domain.begin, domain.end}, 0);
+        if (first_.nodes.size() > node) first_.copies.push_back(static_cast<std::uint32_t>(node));
     }
 
     void cut(const Box& box, std::size_t whole) {
@@ -90,9 +90,9 @@ public:
     FirstBoxes take() {
         most_in_region_ = std::max(kFewBoxes, boxes() / kRegions);
         first_.blocks.push_back({boxes(), 0, 0, 0});
-        if (!first_.sheets.empty()) cut_zone(first_.sheets);
-        for (std::size_t sheet = 0; sheet < first_.sheets.size(); ++sheet)
-            for (FirstBoxes::Zone& zone : first_.zones) find_regions(zone.nodes[sheet], zone);
+        if (!first_.copies.empty()) cut_zone(first_.copies);
+        for (std::size_t copy = 0; copy < first_.copies.size(); ++copy)
+            for (FirstBoxes::Zone& zone : first_.zones) find_regions(zone.nodes[copy], zone);
         first_.begins.push_back(boxes());
         return std::move(first_);
     }
@@ -113,10 +113,10 @@ private:
         }
     }
 
-    // `nodes` is the same part of the domain on each sheet. It is cut where one of the nodes is
+    // `nodes` is the same part of the domain on each copy. It is cut where one of the nodes is
     // more than a region, and all have the same parts.
     void cut_zone(const std::vector<std::uint32_t>& nodes) {
-        std::vector<std::vector<std::uint32_t>> parts;  // of the domain, each on all sheets
+        std::vector<std::vector<std::uint32_t>> parts;  // of the domain, each on all copies
         bool is_large = false, are_like = true;
         for (const std::uint32_t node : nodes) {
             is_large |= boxes_in(node) > most_in_region_;
@@ -139,7 +139,7 @@ private:
 
     bool are_alike(std::uint32_t a, std::uint32_t b) const {
         const auto on_domain = [&](Box box) {
-            box.x = sheets_.x_on_sheet(box.x);
+            box.x = copies_.x_on_copy(box.x);
             return box;
         };
         return on_domain(first_.nodes[a].box) == on_domain(first_.nodes[b].box);
@@ -177,16 +177,16 @@ private:
                std::max(sides.along_x, sides.along_y) * pieces <= radii * sides.radius;
     }
 
-    // The part of a box that lies within the border of the sheet's class.
+    // The part of a box that lies within the border of the copy's class.
     Box within_border(const Box& box) const {
         if (own_ == nullptr) return box;
         const RadiusField::Shape& shape = own_->shape();
-        const std::uint32_t sheet = box.x - sheets_.x_on_sheet(box.x);
-        const std::uint32_t x = std::max(box.x, sheet + shape.low_x);
-        const std::uint32_t end = std::max(x, std::min(box.x + box.width, sheet + shape.high_x));
+        const std::uint32_t copy = box.x - copies_.x_on_copy(box.x);
+        const std::uint32_t x = std::max(box.x, copy + shape.low_x);
+        const std::uint32_t end = std::max(x, std::min(box.x + box.width, copy + shape.high_x));
         return {x, end - x, std::max(box.begin, shape.low_y), std::min(box.end, shape.high_y)};
     }
-    // Whether the class of the sheet has places of its own, and none of them is in the box.
+    // Whether the class of the copy has places of its own, and none of them is in the box.
     bool is_closed(const Box& box) const {
         return own_ != nullptr &&
                (box.width == 0 || box.begin >= box.end || own_->under(box).least == 0);
@@ -228,9 +228,9 @@ private:
     }
 
     const RadiusField& radius_field_;
-    const Sheets& sheets_;
+    const ClassCopies& copies_;
     const PlacesOfClasses& places_;
-    const RadiusField* own_ = nullptr;   // the places of the sheet's class alone
+    const RadiusField* own_ = nullptr;   // the places of the copy's class alone
     std::uint64_t factor_ = FACTOR_ONE;  // of the radii to which lengths are compared
     std::uint32_t pieces_;
     std::uint32_t most_in_region_ = 0;  // boxes
@@ -251,7 +251,7 @@ std::vector<std::uint32_t> FirstBoxes::part_counts() const {
 FirstBoxes first_boxes(const Plan& plan, const PlacesOfClasses& places) {
     const RadiusField::Shape& shape = plan.field().radius_field->shape();
     Halving halving(plan, places);
-    halving.cut_sheets({shape.low_x, shape.high_x - shape.low_x, shape.low_y, shape.high_y});
+    halving.cut_copies({shape.low_x, shape.high_x - shape.low_x, shape.low_y, shape.high_y});
     return halving.take();
 }
 

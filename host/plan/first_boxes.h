@@ -32,9 +32,10 @@ struct FirstBoxes {
     std::vector<Box> boxes;
     std::vector<Block> blocks;  // the last entry only marks the end of the boxes
     std::vector<Node> nodes;    // nodes without parts belong to blocks
-    // The node of each sheet (plan/sheets.h) whose class is drawn, in the order of the classes.
-    // With one class it is node 0, the domain; with several the sheets are the parts of node 0.
-    std::vector<std::uint32_t> sheets;
+    // The node of each copy (plan/class_copies.h) whose class is drawn, in the order of the
+    // classes. With one class it is node 0, the domain; with several the copies are the parts of
+    // node 0.
+    std::vector<std::uint32_t> copies;
 
     std::uint32_t block_count() const { return static_cast<std::uint32_t>(blocks.size()) - 1; }
     // Calls visit(box, block) with the numbers of all boxes from the first of `block` up to `end`.
@@ -54,7 +55,7 @@ struct FirstBoxes {
     std::vector<std::uint32_t> regions;
     std::vector<std::uint32_t> begins;
 
-    // A part of the domain on all sheets: its node on each sheet, and the regions in it. With one
+    // A part of the domain on all copies: its node on each copy, and the regions in it. With one
     // class a zone is a region. A sample whose disk lies in a zone changes nothing in another.
     struct Zone {
         std::vector<std::uint32_t> nodes;
@@ -63,7 +64,7 @@ struct FirstBoxes {
     std::vector<Zone> zones;
 };
 
-// Of each class, where it may lie: a radius field with its border and mask. The boxes on its sheet
+// Of each class, where it may lie: a radius field with its border and mask. The boxes on its copy
 // are cut along both, so that the plan's radius field needs neither. Empty: all classes may lie
 // where the plan's radius field says.
 using PlacesOfClasses = std::vector<std::shared_ptr<const RadiusField>>;

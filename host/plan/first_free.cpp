@@ -61,15 +61,15 @@ FirstFree::FirstFree(const Plan& plan) {
         lengths.push_back(box.end - box.begin);
         widths.push_back(box.width);
     }
-    sheet_ends = sheet_ends_of(plan, boxes);
+    copy_ends = copy_ends_of(plan, boxes);
 }
 
-std::vector<std::uint32_t> sheet_ends_of(const Plan& plan, std::span<const Box> boxes) {
-    const Sheets& sheets = plan.field().sheets;
+std::vector<std::uint32_t> copy_ends_of(const Plan& plan, std::span<const Box> boxes) {
+    const ClassCopies& copies = plan.field().copies;
     std::vector<std::uint32_t> ends;
-    for (std::uint32_t sheet = 0; sheets.are_several() && sheet < sheets.count(); ++sheet) {
+    for (std::uint32_t copy = 0; copies.are_several() && copy < copies.count(); ++copy) {
         const auto end = std::partition_point(
-            boxes.begin(), boxes.end(), [&](const Box& box) { return sheets.of(box.x) <= sheet; });
+            boxes.begin(), boxes.end(), [&](const Box& box) { return copies.of(box.x) <= copy; });
         ends.push_back(static_cast<std::uint32_t>(end - boxes.begin()));
     }
     return ends;

@@ -23,11 +23,11 @@ struct FirstFree {
 
     std::vector<std::uint32_t> lengths;
     std::vector<std::uint32_t> widths;
-    std::vector<std::uint32_t> sheet_ends;  // with classes: the boxes up to the end of each sheet
+    std::vector<std::uint32_t> copy_ends;  // with classes: the boxes up to the end of each copy
 };
 
-// The number of boxes up to the end of each sheet (plan/sheets.h); empty with one class.
-std::vector<std::uint32_t> sheet_ends_of(const Plan& plan, std::span<const Box> boxes);
+// The number of boxes up to the end of each copy (plan/class_copies.h); empty with one class.
+std::vector<std::uint32_t> copy_ends_of(const Plan& plan, std::span<const Box> boxes);
 
 // The free space of the lines [first_line, end_line) as bits, in the format of Snapshot::bits. Each
 // line has an even number of 32-bit words; the lowest y is the lowest bit of the first word.

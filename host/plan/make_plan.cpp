@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "base/number_text.h"
+#include "checks/domain.h"
 #include "plan/checked_request.h"
-#include "plan/corner.h"
 #include "plan/kept.h"
 #include "plan/radius_field.h"
 #include "plan/sizes.h"
@@ -33,8 +33,8 @@ std::string gigabytes(double bytes) {
 }
 
 double memory_limit(const Request& request) {
-    if (request.place.memory_limit_bytes != 0)
-        return static_cast<double>(request.place.memory_limit_bytes);
+    if (request.run_on.memory_limit_bytes != 0)
+        return static_cast<double>(request.run_on.memory_limit_bytes);
     return static_cast<double>(machine_memory_bytes());
 }
 

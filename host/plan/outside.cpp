@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "base/number_text.h"
-#include "plan/corner.h"
+#include "checks/classes.h"
+#include "checks/domain.h"
 #include "plan/kept.h"
 #include "plan/mask_tree.h"
-#include "plan/sheets.h"
 
 namespace lacuna {
 namespace {
@@ -43,7 +43,7 @@ Point way_out(const Domain& domain, Point point) {
 // The greatest distance that two points of the request keep. Infinite while it has no radius.
 double reach_of(const Request& request) {
     if (!request.radius) return std::numeric_limits<double>::infinity();
-    const std::vector<double> shares = distances_of(request);
+    const std::vector<double> shares = distances_of(request.classes);
     return *request.radius * *std::max_element(shares.begin(), shares.end());
 }
 

@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "plan/class_copies.h"
 #include "plan/pixels.h"
 #include "plan/radius_map.h"
-#include "plan/sheets.h"
 #include "portable/conflict.h"
 
 namespace lacuna {
@@ -61,7 +61,7 @@ struct ExactPlan {
 // Mode exact with a radius field. The first boxes are at most 2 / lines_per_radius of the least
 // radius under them long. `kept` holds samples that exist already.
 struct FieldPlan {
-    Sheets sheets;  // of classes; x has a place for each
+    ClassCopies copies;  // of classes; x has a place for each
     std::shared_ptr<const RadiusField> radius_field;
     std::shared_ptr<const FirstBoxes> first_boxes;
     std::vector<Sized> kept;
@@ -144,14 +144,14 @@ struct Plan {
     // cell.
     Point to_user(Sample sample) const {
         const double middle = is_cells() ? 0.5 : 0;
-        return domain.at({(x_on_sheet(sample.x) + middle) * unit_x, (sample.y + middle) * unit_y});
+        return domain.at({(x_on_copy(sample.x) + middle) * unit_x, (sample.y + middle) * unit_y});
     }
-    // The class of a sample, and its x within the domain: see plan/sheets.h.
+    // The class of a sample, and its x within the domain: see plan/class_copies.h.
     std::uint32_t class_of(Sample sample) const {
-        return has_field() ? field().sheets.of(sample.x) : 0;
+        return has_field() ? field().copies.of(sample.x) : 0;
     }
-    std::uint32_t x_on_sheet(std::uint32_t x) const {
-        return has_field() ? field().sheets.x_on_sheet(x) : x;
+    std::uint32_t x_on_copy(std::uint32_t x) const {
+        return has_field() ? field().copies.x_on_copy(x) : x;
     }
 };
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "checks/domain.h"
 #include "plan/checked_request.h"
-#include "plan/corner.h"
 #include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "plan/sizes.h"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "checks/domain.h"
 #include "plan/checked_request.h"
-#include "plan/corner.h"
 #include "plan/first_boxes.h"
 #include "plan/make_plan.h"
 #include "plan/outside.h"
@@ -27,8 +27,7 @@ namespace {
 // domain of the plan. Distances from the edges are computed from the coordinates that the user
 // gets, which are rounded when the corner is added.
 RadiusField::Shape shape_of(const Request& around, const Domain& own, double border,
-                            std::uint32_t width, std::uint32_t height,
-                            std::uint32_t last_on_sheet) {
+                            std::uint32_t width, std::uint32_t height, std::uint32_t last_on_copy) {
     const auto span_along = [border](double unit, std::uint32_t units, double corner,
                                      double own_corner, double length) {
         const auto way_to = [=](std::uint32_t at) { return (corner + at * unit) - own_corner; };
@@ -56,7 +55,7 @@ RadiusField::Shape shape_of(const Request& around, const Domain& own, double bor
             y.begin,
             y.end,
             !around.keep.empty(),
-            last_on_sheet,
+            last_on_copy,
             lost_at_corner(all)};
 }
 
@@ -81,7 +80,7 @@ std::uint32_t radius_of_kept(const RadiusField& radius_field, Sample at) {
 // The coordinates rounded down, or up if no sample may lie there: then the point belongs to the
 // pixel on the other side. Points behind the first `members` lie outside of the request's domain,
 // where all have one radius.
-std::vector<Sized> kept_on(const RadiusField& radius_field, const Sheets& sheets,
+std::vector<Sized> kept_on(const RadiusField& radius_field, const ClassCopies& copies,
                            const Request& request, std::size_t members) {
     const std::uint32_t width = radius_field.shape().width;
     const std::uint32_t height = radius_field.shape().height;
@@ -101,10 +100,10 @@ std::vector<Sized> kept_on(const RadiusField& radius_field, const Sheets& sheets
         const bool is_member = kept.size() < members;
         for (const Sample near : {Sample{right, up}, Sample{low.x, up}, Sample{right, low.y}, low})
             if (is_member && radius_field.radius_at(near.x, near.y) != 0) found = near;
-        const std::uint32_t sheet =
-            sheets.are_several() ? request.keep_classes[kept.size()] : std::uint32_t{0};
+        const std::uint32_t copy =
+            copies.are_several() ? request.keep_classes[kept.size()] : std::uint32_t{0};
         kept.push_back(
-            {sheets.x_on(sheet, found.x), found.y,
+            {copies.x_on(copy, found.x), found.y,
              is_member ? radius_of_kept(radius_field, found) : radius_field.least_radius()});
     }
     return kept;
@@ -138,9 +137,9 @@ Plan make_radius_field_plan(const CheckedRequest& checked, const Poll& poll,
     const Request& around = outer.request;
     const double longer = around.domain.longer_side();
     FieldPlan field;
-    // No sheet may reach into the next, nor the last one beyond 32 bits.
+    // No copy may reach into the next, nor the last one beyond 32 bits.
     const std::size_t classes = request.classes.names.size();
-    const std::uint32_t last = Sheets::last_of(static_cast<std::uint32_t>(classes));
+    const std::uint32_t last = ClassCopies::last_of(static_cast<std::uint32_t>(classes));
     const double units = std::min(kRadiusFieldUnits, last);  // along the longer side
     Plan plan;
     plan.width = static_cast<std::uint32_t>(units * (around.domain.width / longer));
@@ -158,9 +157,9 @@ Plan make_radius_field_plan(const CheckedRequest& checked, const Poll& poll,
     for (std::size_t i = 0; !are_alike && i < classes; ++i)
         places.push_back(field_of(border_of(around, i), mask_of(around, i)));
     check_lengths(request, *field.radius_field);
-    field.sheets =
-        sheets_of(request, field.radius_field->under({0, plan.width, 0, plan.height}).greatest);
-    field.kept = kept_on(*field.radius_field, field.sheets, around, checked.members());
+    field.copies =
+        copies_of(request, field.radius_field->under({0, plan.width, 0, plan.height}).greatest);
+    field.kept = kept_on(*field.radius_field, field.copies, around, checked.members());
     for (const Sample sample : samples)
         field.kept.push_back(
             {sample.x, sample.y, field.radius_field->radius_at(sample.x, sample.y)});

@@ -118,8 +118,8 @@ void RadiusField::border_ellipses() {
     }
 }
 
-Under RadiusField::under(const Box& on_sheet) const {
-    const Box box = on_domain(on_sheet);
+Under RadiusField::under(const Box& on_copy) const {
+    const Box box = on_domain(on_copy);
     const std::uint32_t end = box.x + box.width;
     const PixelRange columns = pixels_of(columns_, box.x, end);
     const PixelRange rows = pixels_of(rows_, box.begin, box.end);
@@ -133,8 +133,8 @@ Under RadiusField::under(const Box& on_sheet) const {
             (is_one || !radii.are_mixed()) && allowed == ALLOWED_ALL};
 }
 
-bool RadiusField::is_mask_mixed(const Box& on_sheet) const {
-    const Box box = on_domain(on_sheet);
+bool RadiusField::is_mask_mixed(const Box& on_copy) const {
+    const Box box = on_domain(on_copy);
     return mask_ && mask_->over(pixels_of(*mask_columns_, box.x, box.x + box.width),
                                 pixels_of(*mask_rows_, box.begin, box.end)) == ALLOWED_SOME;
 }
@@ -145,17 +145,17 @@ bool RadiusField::are_radii_mixed(const Box& box) const {
         .are_mixed();
 }
 
-std::uint32_t RadiusField::cut_x(const Box& on_sheet) const {
-    const Box box = on_domain(on_sheet);
+std::uint32_t RadiusField::cut_x(const Box& on_copy) const {
+    const Box box = on_domain(on_copy);
     const std::uint32_t end = box.x + box.width;
     std::uint32_t cut = is_mask_mixed(box) ? middle_border(*mask_columns_, box.x, end) : 0;
     if (cut == 0 && are_radii_mixed(box)) cut = middle_border(columns_, box.x, end);
     if (cut == 0 && box.width > 1) cut = box.x + box.width / 2;
-    return cut == 0 ? 0 : on_sheet.x - box.x + cut;
+    return cut == 0 ? 0 : on_copy.x - box.x + cut;
 }
 
-std::uint32_t RadiusField::cut_y(const Box& on_sheet) const {
-    const Box box = on_domain(on_sheet);
+std::uint32_t RadiusField::cut_y(const Box& on_copy) const {
+    const Box box = on_domain(on_copy);
     std::uint32_t cut = is_mask_mixed(box) ? middle_border(*mask_rows_, box.begin, box.end) : 0;
     if (cut == 0 && are_radii_mixed(box)) cut = middle_border(rows_, box.begin, box.end);
     return cut;

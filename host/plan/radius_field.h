@@ -59,8 +59,8 @@ public:
         std::uint32_t high_y;
         bool has_kept;  // whether there are kept points, whose coordinates are not in whole units
         double unit() const { return unit_x < unit_y ? unit_x : unit_y; }
-        // All bits that x may have on one sheet (plan/sheets.h). The field is the same on all.
-        std::uint32_t last_on_sheet = ~std::uint32_t{0} >> 1;
+        // All bits that x may have on one copy (plan/class_copies.h). The field is the same on all.
+        std::uint32_t last_on_copy = ~std::uint32_t{0} >> 1;
         double lost = 0;  // by which radii are longer: lost_at_corner() of plan/corner.h
     };
 
@@ -75,7 +75,7 @@ public:
     // The radius at a position; 0 if no sample may lie there. With ellipses that of a circle which
     // holds the ellipse.
     std::uint32_t radius_at(std::uint32_t x, std::uint32_t y) const {
-        const std::uint32_t at = x & shape_.last_on_sheet;
+        const std::uint32_t at = x & shape_.last_on_copy;
         if (mask_ &&
             mask_->at(mask_columns_->pixel_of(at), mask_rows_->pixel_of(y)) == ALLOWED_NONE)
             return 0;
@@ -86,7 +86,7 @@ public:
     // Whether samples have ellipses, and the ellipse at a position.
     bool has_ellipses() const { return !ellipses_.empty(); }
     const portable::Ellipse& ellipse_at(std::uint32_t x, std::uint32_t y) const {
-        return ellipses_[std::size_t{columns_.pixel_of(x & shape_.last_on_sheet)} * rows_.pixels() +
+        return ellipses_[std::size_t{columns_.pixel_of(x & shape_.last_on_copy)} * rows_.pixels() +
                          rows_.pixel_of(y)];
     }
     // An ellipse that all samples in the box have, or a circle that lies in all their ellipses.
@@ -96,7 +96,7 @@ public:
     }
 
     // Whether the mask allows a part of the box on a domain, and perhaps a little around it.
-    bool is_mask_mixed(const Box& on_sheet) const;
+    bool is_mask_mixed(const Box& on_copy) const;
     // Where to halve a box: at a border of pixels near its middle if it lies on unlike pixels,
     // otherwise in the middle along x. 0 means that the box is not cut on this axis.
     std::uint32_t cut_x(const Box& box) const;
@@ -115,7 +115,7 @@ private:
     std::vector<Radii> radii_of(const Field* field, double scale, const Poll& poll);
     void border_ellipses();
     Box on_domain(const Box& box) const {
-        return {box.x & shape_.last_on_sheet, box.width, box.begin, box.end};
+        return {box.x & shape_.last_on_copy, box.width, box.begin, box.end};
     }
     bool are_radii_mixed(const Box& box) const;
 

@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "checks/classes.h"
 #include "plan/checked_request.h"
+#include "plan/class_copies.h"
 #include "plan/mask_tree.h"
 #include "plan/radius_field.h"
-#include "plan/sheets.h"
 #include "plan/sizes.h"
 
 namespace lacuna {
@@ -109,14 +110,14 @@ double greatest_of(const Request& request) {
 }
 
 // The memory that all classes take, over that of one class that keeps the least distance. It grows
-// with the number of first boxes, which are short on every sheet on which samples of a dense class
+// with the number of first boxes, which are short on every copy on which samples of a dense class
 // are seen.
 double crowd_of_boxes(const Request& request) {
-    const Sheets sheets = sheets_of(request);
+    const ClassCopies copies = copies_of(request);
     double crowd = 0;
-    for (std::uint32_t sheet = 0; sheet < sheets.count(); ++sheet) {
-        const double length = static_cast<double>(sheets.factor_of_boxes(sheet)) / FACTOR_ONE;
-        if (sheets.weight(sheet) != 0) crowd += 1 / (length * length);
+    for (std::uint32_t copy = 0; copy < copies.count(); ++copy) {
+        const double length = static_cast<double>(copies.factor_of_boxes(copy)) / FACTOR_ONE;
+        if (copies.weight(copy) != 0) crowd += 1 / (length * length);
     }
     return crowd;
 }
@@ -154,7 +155,7 @@ void check_size(const Request& request, const std::string& option, const std::st
 // The expected number of samples in all classes, if each were alone, over the number of a class
 // that keeps the least distance.
 double crowd_of(const Request& request) {
-    const std::vector<double> distances = distances_of(request);
+    const std::vector<double> distances = distances_of(request.classes);
     const std::size_t count = std::max<std::size_t>(request.classes.names.size(), 1);
     double crowd = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -168,7 +169,7 @@ double crowd_of(const Request& request) {
 // The same share for all classes together: the mean of theirs, in proportion to their samples.
 double share_of(const Request& request, double greatest, const Poll& poll) {
     if (!has_own_places(request.classes)) return share_of(request, 0, greatest, poll);
-    const std::vector<double> distances = distances_of(request);
+    const std::vector<double> distances = distances_of(request.classes);
     const std::size_t count = request.classes.names.size();
     double samples = 0;
     for (std::size_t i = 0; i < count; ++i) {

@@ -36,7 +36,7 @@ ResultOnRanks sample_on_ranks(const Request& request, Ranks& ranks, Sink& sink,
         const Strip strip = strip_of(plan, ranks.rank(), ranks.count());
         ReadyBackend ready;
         together(ranks, [&] {
-            ready = make_backend(sized->place, strip.plan, observer);
+            ready = make_backend(sized->run_on, strip.plan, observer);
             if (ready.backend == nullptr)
                 throw BadRequest("backend", ready.name,
                                  "makes whole sets only; here: auto, cpu, opencl or vulkan");

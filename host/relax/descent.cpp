@@ -44,7 +44,7 @@ void descend(Relaxed& relaxed, const GaussianField& field, const RelaxOptions& o
     };
     observer.begin(Verb::first_use);
     const auto [name, backend] =
-        make_gaussian_backend(options.place, field, spots_of(points, field, options, poll), poll);
+        make_gaussian_backend(options.run_on, field, spots_of(points, field, options, poll), poll);
     relaxed.backend = name;
     relaxed.device = backend->device();
     observer.end(Verb::first_use);

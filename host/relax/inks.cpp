@@ -13,6 +13,7 @@
 
 #include "base/asked.h"
 #include "base/polling.h"
+#include "checks/pixels.h"
 #include "lattice/lattice.h"
 #include "lattice/stratified.h"
 #include "plan/checked_request.h"
@@ -174,7 +175,7 @@ public:
         std::size_t first = 0;
         const auto add = [&](const Lattice& lattice, std::size_t dots) {
             relaxing::Chosen chosen = relaxing::make_relax_backend(
-                options.place, lattice, sites.subspan(first, dots), poll);
+                options.run_on, lattice, sites.subspan(first, dots), poll);
             name_ = chosen.name;
             groups_.push_back({first, std::move(chosen.backend)});
             first += dots;

@@ -9,6 +9,7 @@
 
 #include "base/asked.h"
 #include "base/polling.h"
+#include "checks/pixels.h"
 #include "lacuna/lacuna.h"
 #include "lattice/lattice.h"
 #include "plan/checked_request.h"
@@ -145,7 +146,7 @@ Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOpti
     const std::vector<Site> start = relaxing::sites_of(points, lattice, options, ask);
     observer.begin(Verb::first_use);
     const relaxing::Chosen chosen =
-        relaxing::make_relax_backend(options.place, lattice, start, ask);
+        relaxing::make_relax_backend(options.run_on, lattice, start, ask);
     observer.end(Verb::first_use);
     relaxed.backend = chosen.name;
     relaxed.device = chosen.backend->device();

@@ -83,8 +83,8 @@ constexpr Entry kBackends[] = {
 #endif
 };
 
-const Entry& chosen(const Place& place) {
-    const std::string wanted = wanted_backend(place.backend);
+const Entry& chosen(const RunOn& run_on) {
+    const std::string wanted = wanted_backend(run_on.backend);
     for (const Entry& entry : kBackends)
         if (wanted == "auto" || wanted == entry.name) return entry;
     throw no_such_backend(wanted);
@@ -92,18 +92,18 @@ const Entry& chosen(const Place& place) {
 
 }  // namespace
 
-Chosen make_relax_backend(const Place& place, const Lattice& lattice, std::span<const Site> sites,
+Chosen make_relax_backend(const RunOn& run_on, const Lattice& lattice, std::span<const Site> sites,
                           const Poll& poll) {
-    const Entry& entry = chosen(place);
+    const Entry& entry = chosen(run_on);
     return {std::string(entry.name),
-            entry.make(lattice, sites, {place.device, place.threads}, poll)};
+            entry.make(lattice, sites, {run_on.device, run_on.threads}, poll)};
 }
 
-ChosenForGaussian make_gaussian_backend(const Place& place, const GaussianField& field,
+ChosenForGaussian make_gaussian_backend(const RunOn& run_on, const GaussianField& field,
                                         std::span<const Spot> spots, const Poll& poll) {
-    const Entry& entry = chosen(place);
+    const Entry& entry = chosen(run_on);
     return {std::string(entry.name),
-            entry.make_gaussian(field, spots, {place.device, place.threads}, poll)};
+            entry.make_gaussian(field, spots, {run_on.device, run_on.threads}, poll)};
 }
 
 }  // namespace lacuna::relaxing

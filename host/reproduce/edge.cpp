@@ -20,7 +20,7 @@ Request request_of(const Step& step, Metric metric, const Field& field) {
     request.scale = step.dense_radius;
     request.paper2011.lines_per_radius = step.m;
     request.metric = metric;
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     return request;
 }
 

@@ -45,7 +45,7 @@ Rows make(const Setting& setting) {
     Request request;
     request.radius = kFig4Radius;
     request.domain.boundary = Boundary::torus;
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     Rows rows;
     rows.darts = {fmt::format("Dart throwing, {}", kDarts),
                   analysed(throw_sets(request, kDarts, runs, work))};

@@ -27,7 +27,7 @@ Method make(const Setting& setting, bool uniform_x, Work& work) {
     Request request = lines_request(kFig5Radius, Boundary::torus);
     request.limit = kFig5Samples;
     request.paper2011.uniform_x = uniform_x;
-    if (uniform_x) request.place.backend = "reference";
+    if (uniform_x) request.run_on.backend = "reference";
     const Sets sets = make_sets(request, setting.runs.value_or(kFig5Runs), work);
     return {uniform_x ? "uniform-x" : "cdf", analyse_on_torus(sets.points, kFig5Radius, work)};
 }

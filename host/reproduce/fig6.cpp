@@ -37,7 +37,7 @@ std::string draw(const Field& field, Work& work, files::Medium medium) {
         request.scale = kScale;
         request.paper2011.lines_per_radius = 30;
         request.metric = kMetrics[i];
-        request.place.backend = "cpu";
+        request.run_on.backend = "cpu";
         const Sets sets = make_sets(request, 1, work);
         const Rectangle box = box_of(i + 1);
         draw_title(*canvas, box,

@@ -75,7 +75,7 @@ Sets make_sets(const Request& request, std::uint32_t runs, Work& work, double co
     return make_each(request.seed, runs, work, cost, [&](std::uint64_t seed) {
         Request one = request;
         one.seed = seed;
-        one.place.threads = 1;
+        one.run_on.threads = 1;
         Watch watch(work);
         return sample(one, watch).points;
     });
@@ -102,7 +102,7 @@ Request lines_request(double radius, Boundary boundary) {
     request.radius = radius;
     request.domain.boundary = boundary;
     request.paper2011.snap = true;
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     return request;
 }
 

@@ -16,7 +16,7 @@ Sets stipple(const Field& image, std::uint64_t dots, Metric metric, Work& work, 
     request.count = dots;
     request.metric = metric;
     request.paper2011.lines_per_radius = 30;
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     return make_sets(request, 1, work, cost);
 }
 

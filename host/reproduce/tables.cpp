@@ -38,7 +38,7 @@ Request request_of(Way way, double radius, Boundary boundary) {
     Request request = lines_request(radius, boundary);
     request.paper2011.uniform_x = way == Way::uniform_x;
     // Uniform-x runs in rounds of one draw anyway, and the reference is the fastest at these.
-    if (request.paper2011.uniform_x) request.place.backend = "reference";
+    if (request.paper2011.uniform_x) request.run_on.backend = "reference";
     if (way == Way::exact) {
         request.mode = Mode::exact;
         request.paper2011.snap = false;

@@ -50,7 +50,7 @@ std::uint64_t Marginal::weight_of(std::size_t bin) const {
 
 void Marginal::rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t bin_width,
                        std::span<const std::uint32_t> bin_widths,
-                       std::span<const std::uint32_t> sheet_ends) {
+                       std::span<const std::uint32_t> copy_ends) {
     lengths_ = free_lengths;
     bin_width_ = bin_width;
     widths_ = bin_widths;
@@ -63,19 +63,19 @@ void Marginal::rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_
         for (std::size_t bin = block * kBlock; bin < end; ++bin) sum += weight_of(bin);
         sums_[block + 1] = sum;
     }
-    if (!sheet_ends.empty()) find_sheet_shares(sheet_ends);
+    if (!copy_ends.empty()) find_copy_shares(copy_ends);
 }
 
-void Marginal::find_sheet_shares(std::span<const std::uint32_t> sheet_ends) {
+void Marginal::find_copy_shares(std::span<const std::uint32_t> copy_ends) {
     std::vector<std::uint64_t> areas;
     std::vector<std::uint32_t> weights;
-    for (const std::uint32_t end : sheet_ends) {
+    for (const std::uint32_t end : copy_ends) {
         std::uint64_t area = sums_[end / kBlock];
         for (std::size_t bin = end / kBlock * kBlock; bin < end; ++bin) area += weight_of(bin);
-        weights.push_back(plan_.field().sheets.weight(static_cast<std::uint32_t>(areas.size())));
+        weights.push_back(plan_.field().copies.weight(static_cast<std::uint32_t>(areas.size())));
         areas.push_back(area);
     }
-    sheet_shares_.emplace(areas, weights);
+    copy_shares_.emplace(areas, weights);
 }
 
 // Inverts the cdf at ascending weights.
@@ -87,7 +87,7 @@ public:
           widths_(marginal.widths_),
           bits_(marginal.bits_),
           share_(marginal.share_),
-          sheet_shares_(marginal.sheet_shares_ ? &*marginal.sheet_shares_ : nullptr) {}
+          copy_shares_(marginal.copy_shares_ ? &*marginal.copy_shares_ : nullptr) {}
 
     // Finds bin and rank as the reference does; locate walks along the bin's free spans later.
     void invert(Draw& draw) {
@@ -128,7 +128,7 @@ public:
 private:
     // The weight within this CdfShare to which the draw's bits belong.
     std::uint64_t weight_of(const Draw& draw) const {
-        if (sheet_shares_ != nullptr) return sheet_shares_->area_at(bits_of(draw));
+        if (copy_shares_ != nullptr) return copy_shares_->area_at(bits_of(draw));
         return scaled((bits_of(draw) >> bits_.shift) + bits_.first, share_.total) - share_.before;
     }
     // Goes to the block that contains weight c, with steps that double: it is near if there are
@@ -149,7 +149,7 @@ private:
     std::span<const std::uint32_t> widths_;
     Bits bits_;
     CdfShare share_;
-    const SheetShares* sheet_shares_;
+    const CopyShares* copy_shares_;
     std::size_t block_ = 0;
 };
 

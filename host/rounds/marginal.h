@@ -12,9 +12,9 @@
 
 #include "base/workers.h"
 #include "plan/plan.h"
+#include "rounds/copy_shares.h"
 #include "rounds/random.h"
 #include "rounds/round.h"
-#include "rounds/sheet_shares.h"
 
 namespace lacuna {
 
@@ -36,11 +36,11 @@ public:
 
     // Makes new running sums from the free length of every bin. All bins are `bin_width` wide,
     // unless bin_widths has the width of each. invert() reads lengths and widths again, so they
-    // must live until then. With classes, sheet_ends has the number of bins up to the end of each
-    // sheet (plan/sheets.h).
+    // must live until then. With classes, copy_ends has the number of bins up to the end of each
+    // copy (plan/class_copies.h).
     void rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t bin_width,
                  std::span<const std::uint32_t> bin_widths = {},
-                 std::span<const std::uint32_t> sheet_ends = {});
+                 std::span<const std::uint32_t> copy_ends = {});
 
     // Total weight of the bins: the sum of their free lengths, or of their areas if widths differ.
     // With uniform-x it is the number of bins with free length.
@@ -64,7 +64,7 @@ private:
         unsigned shift = 0;
     };
     std::uint64_t weight_of(std::size_t bin) const;
-    void find_sheet_shares(std::span<const std::uint32_t> sheet_ends);
+    void find_copy_shares(std::span<const std::uint32_t> copy_ends);
     void find_bits(CdfShare share);
     Draw drawn(const RandomBits& random, std::uint64_t first_number, std::uint32_t number) const;
     template <typename Visit>
@@ -84,7 +84,7 @@ private:
     std::span<const std::uint32_t> widths_;
     std::vector<std::uint64_t> sums_ = {0};  // sums_[i]: weight of all bins before block i
     CdfShare share_{};
-    std::optional<SheetShares> sheet_shares_;  // with classes
+    std::optional<CopyShares> copy_shares_;  // with classes
     Bits bits_;
     // Until a draw is inverted, its bin and rank hold its random bits.
     std::span<Draw> draws_;                 // grouped by part, the highest bits

@@ -42,8 +42,8 @@ struct Round {
     std::span<const std::uint32_t> orders = {};      // of the samples' draws, with tells_orders
     // In lines and exact without a radius field: each column's first bin, then the number of bins.
     std::span<const std::uint32_t> bin_begins = {};
-    // With classes: the number of bins up to the end of each sheet (plan/sheets.h).
-    std::span<const std::uint32_t> sheet_ends = {};
+    // With classes: the number of bins up to the end of each copy (plan/class_copies.h).
+    std::span<const std::uint32_t> copy_ends = {};
 };
 
 // A function that takes the samples of a round, in order of admission.

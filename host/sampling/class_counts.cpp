@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "plan/sheets.h"
+#include "checks/classes.h"
 #include "plan/sizes.h"
 #include "sampling/stages.h"
 

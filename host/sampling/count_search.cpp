@@ -95,8 +95,8 @@ private:
         return at_size(request_, scale_, kFar * kFar * *request_->count).with([&](Request& pilot) {
             pilot.paper2011.lines_per_radius = corrections_ == 0 ? std::min(own, kCoarse) : own;
             pilot.paper2011.round_size = 0;
-            pilot.place.backend = "cpu";
-            pilot.place.device.clear();
+            pilot.run_on.backend = "cpu";
+            pilot.run_on.device.clear();
         });
     }
 

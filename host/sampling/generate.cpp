@@ -36,7 +36,7 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer, const T
     Quota quota(plan);
     backend.watch(may_go_on);
     const FirstFree all_free(plan);
-    marginal.rebuild(all_free.lengths, plan.strip_width, all_free.widths, all_free.sheet_ends);
+    marginal.rebuild(all_free.lengths, plan.strip_width, all_free.widths, all_free.copy_ends);
 
     while (marginal.total() > 0 && !quota.is_met()) {
         const std::span<const Draw> draws =
@@ -56,7 +56,7 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer, const T
         outcome.rounds++;
         policy.note(round.survivors, round.samples.size(), round.free_lengths.size(),
                     round.bin_width);
-        marginal.rebuild(round.free_lengths, round.bin_width, round.bin_widths, round.sheet_ends);
+        marginal.rebuild(round.free_lengths, round.bin_width, round.bin_widths, round.copy_ends);
         poll();
     }
     outcome.is_cut = quota.is_met();
@@ -90,7 +90,7 @@ void append_points(const Plan& plan, std::span<const Sample> samples, Workers& w
                    Result& result) {
     make_room_to_append(result.points, samples.size(), workers);
     for (const Sample& sample : samples) result.points.push_back(plan.to_user(sample));
-    if (!plan.has_field() || !plan.field().sheets.are_several()) return;
+    if (!plan.has_field() || !plan.field().copies.are_several()) return;
     for (const Sample& sample : samples)
         result.classes.push_back(static_cast<std::uint8_t>(plan.class_of(sample)));
 }
@@ -105,7 +105,7 @@ namespace {
 // `generate` runs the loop on the backend; the reference has a loop of its own.
 template <typename Generate>
 Run run_with(const Request& request, const Plan& plan, Observer& observer, Generate generate) {
-    const ReadyBackend ready = make_backend(request.place, plan, observer);
+    const ReadyBackend ready = make_backend(request.run_on, plan, observer);
 #ifndef LACUNA_CPU_ONLY
     if (ready.backend == nullptr)
         return {reference::sample(plan, observer), ready.name, "1 thread"};

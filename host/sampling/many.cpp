@@ -28,7 +28,7 @@ constexpr std::size_t kSetsAThread = 64;
 
 // Whether sets are small: one set on each thread is then faster than one set on all threads.
 bool is_small(const Request& request) {
-    const std::string backend = wanted_backend(request.place.backend);
+    const std::string backend = wanted_backend(request.run_on.backend);
     if (backend != "auto" && backend != "cpu") return false;
     if (request.paper2011.round_size != 0 || request.paper2011.uniform_x) return false;
     if (request.field != nullptr) return false;
@@ -96,12 +96,12 @@ void one_by_one(const Resolved& resolved, std::span<const std::uint64_t> seeds, 
 
 void in_batches(const Resolved& resolved, std::span<const std::uint64_t> seeds, const TakeSet& take,
                 OfAll& all) {
-    const std::uint32_t wanted = resolved.request.place.threads;
+    const std::uint32_t wanted = resolved.request.run_on.threads;
     const int threads = wanted == 0 ? tbb::info::default_concurrency() : static_cast<int>(wanted);
     make_sure_of_threads(threads);
     tbb::task_arena arena(threads);
     Resolved single = resolved;
-    single.request.place.threads = 1;
+    single.request.run_on.threads = 1;
     const std::size_t batch = kSetsAThread * static_cast<std::size_t>(threads);
     std::vector<std::optional<Result>> results(std::min(batch, seeds.size()));
     for (std::size_t begin = 0; begin < seeds.size(); begin += batch) {
@@ -136,7 +136,7 @@ void sample_many(const Request& request, std::span<const std::uint64_t> seeds, c
     check_request(resolved.request);  // also if there are no seeds yet
     OfAll all(observer, seeds.size());
     // The threads are checked by sample() itself, which would come too late here.
-    const bool can_share = request.place.threads != 1 && request.place.threads <= kMostThreads;
+    const bool can_share = request.run_on.threads != 1 && request.run_on.threads <= kMostThreads;
     (can_share && is_small(request) ? in_batches : one_by_one)(resolved, seeds, take, all);
 }
 

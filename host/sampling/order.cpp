@@ -11,8 +11,9 @@
 
 #include "base/polling.h"
 #include "base/power.h"
+#include "checks/domain.h"
+#include "checks/pixels.h"
 #include "plan/checked_request.h"
-#include "plan/corner.h"
 #include "plan/kept.h"
 #include "plan/radius_field.h"
 #include "plan/sizes.h"

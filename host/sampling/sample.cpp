@@ -10,6 +10,7 @@
 #include "base/asked.h"
 #include "base/large_pages.h"
 #include "base/polling.h"
+#include "checks/classes.h"
 #include "dither/on_pixels.h"
 #include "lacuna/lacuna.h"
 #include "lattice/stratified.h"
@@ -39,7 +40,7 @@ Result run(const CheckedRequest& request, const std::optional<FieldSums>& sums,
                                                     : make_plan(request);
     Result result;
     begin_points(request, plan.expected_samples, result);
-    Workers workers(request->place.threads);
+    Workers workers(request->run_on.threads);
     const Run run = run_on_backend(request, plan, observer, [&](std::span<const Sample> samples) {
         append_points(plan, samples, workers, result);
     });

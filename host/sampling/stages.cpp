@@ -33,7 +33,7 @@ private:
 }  // namespace
 
 Stages::Stages(const CheckedRequest& request, Observer& observer, std::uint64_t expected)
-    : observer_(observer), expected_(expected), workers_(request->place.threads) {
+    : observer_(observer), expected_(expected), workers_(request->run_on.threads) {
     begin_points(request, 0, result_);
 }
 

@@ -97,9 +97,9 @@ public:
 
     void rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t bin_width,
                  std::span<const std::uint32_t> bin_widths = {},
-                 std::span<const std::uint32_t> sheet_ends = {}) {
+                 std::span<const std::uint32_t> copy_ends = {}) {
         const Timed timed(observer_, Verb::invert);
-        marginal_.rebuild(free_lengths, bin_width, bin_widths, sheet_ends);
+        marginal_.rebuild(free_lengths, bin_width, bin_widths, copy_ends);
     }
     std::span<const Draw> invert(std::uint64_t first_number, std::uint64_t count) {
         const Timed timed(observer_, Verb::invert);

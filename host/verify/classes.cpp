@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "checks/classes.h"
 #include "places/sets.h"
 #include "verify/closest_unlike.h"
 #include "verify/verify.h"
@@ -15,7 +16,7 @@ namespace {
 // Classes: the samples of each, and the distances as shares of the least one that is not 0.
 class Kinds {
 public:
-    explicit Kinds(const Claim& claim) : distances_(shares_of(claim)) {
+    explicit Kinds(const Claim& claim) : distances_(distances_of(claim.classes)) {
         const std::size_t count = claim.classes.names.size();
         of_class_.resize(count);
         for (std::size_t i = 0; i < claim.class_of_points.size(); ++i)
@@ -64,20 +65,7 @@ private:
     std::vector<PolygonSet> sets_;
 };
 
-// Whether the claim is that a class has no room.
-bool is_open(const Classes& classes, std::size_t kind) {
-    return (classes.weights.empty() || classes.weights[kind] > 0) &&
-           (classes.counts.empty() || !classes.counts[kind]);
-}
-
 }  // namespace
-
-bool has_open_class(const Claim& claim) {
-    const Classes& classes = claim.classes;
-    for (std::size_t i = 0; i < classes.names.size(); ++i)
-        if (is_open(classes, i)) return true;
-    return classes.names.empty();
-}
 
 bool has_own_places(const Claim& claim) {
     const auto is_own = [](const lacuna::Outline& outline) { return !outline.of_class.empty(); };

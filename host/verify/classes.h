@@ -37,8 +37,6 @@ private:
 
 // Whether classes of a claim may lie in places of their own.
 bool has_own_places(const Claim& claim);
-// Whether some class, or all points without classes, are claimed to have no room.
-bool has_open_class(const Claim& claim);
 
 // The samples are in the order of Claim::class_of_points, each with its radius for the least
 // distance of all classes.

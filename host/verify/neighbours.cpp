@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "checks/classes.h"
 #include "verify/verify.h"
 
 namespace lacuna::verify {
@@ -13,7 +14,8 @@ double greatest_distance(const Claim& claim) {
     const std::vector<double>& distances = claim.classes.distances;
     if (distances.empty()) return claim.radius;
     const double greatest = *std::max_element(distances.begin(), distances.end());
-    return claim.radius > 0 ? greatest * (claim.radius / least_distance(claim.classes)) : greatest;
+    return claim.radius > 0 ? greatest * (claim.radius / least_distance_of(claim.classes))
+                            : greatest;
 }
 
 }  // namespace

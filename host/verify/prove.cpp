@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "base/threads.h"
+#include "checks/classes.h"
+#include "checks/domain.h"
 #include "places/sets.h"
 #include "verify/classes.h"
 #include "verify/closest.h"
@@ -189,7 +191,7 @@ void prove_on_ellipses(std::span<const Point> points, const Claim& claim,
 // The radius, or with a field the scale; with classes the least distance, unless the claim has one.
 double size_of(const Claim& claim) {
     const double size = claim.field != nullptr ? claim.scale : claim.radius;
-    return size > 0 || claim.classes.names.empty() ? size : least_distance(claim.classes);
+    return size > 0 || claim.classes.names.empty() ? size : least_distance_of(claim.classes);
 }
 
 // The points of a set, and its neighbours behind them.
@@ -269,13 +271,13 @@ Proof prove(std::span<const Point> points, const Claim& given,
         proof.first = all.number_of(proof.first);
         proof.second = all.number_of(proof.second);
     }
-    proof.maximal = proof.kept && proof.covered && has_open_class(claim) &&
+    proof.maximal = proof.kept && proof.covered && has_open_class(claim.classes) &&
                     tolerance <= kMostTolerance * radius_field.least_radius();
     return proof;
 }
 
 double least_distance(std::span<const Point> points, const Domain& domain) {
-    verify::check_domain(domain);
+    check_domain(domain);
     const verify::Domain its = verify::domain_of(domain);
     if (const auto outside = verify::first_outside(points, its))
         throw BadRequest("points", std::to_string(*outside),

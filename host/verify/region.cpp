@@ -9,9 +9,9 @@ namespace lacuna::verify {
 
 Region::Region(std::span<const PolygonSet> sets) {
     for (const PolygonSet& set : sets)
-        (set.near        ? near_
-         : set.forbidden ? forbidden_
-                         : allowed_)
+        (set.role == Role::near   ? near_
+         : is_forbidden(set.role) ? forbidden_
+                                  : allowed_)
             .push_back({Outline(set.rings), set.distance});
 }
 

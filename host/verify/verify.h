@@ -24,13 +24,6 @@ inline constexpr double kMostTolerance = 0.01;
 // apart, and far smaller than the radius of any set that fits into a computer.
 inline constexpr double kSmallestRadius = 0x1p-32;
 
-// A value as messages show it.
-std::string text(double value);
-
-// Throws BadRequest("domain", ...) unless both sides lie between 1e-100 and 1e100 and neither is
-// over 1000 times the other.
-void check_domain(const lacuna::Domain& domain);
-
 // Throws BadRequest for a domain, field, scale, radius, tolerance, mask, polygons, border or
 // classes that make no sense.
 void check_claim(const Claim& claim, std::size_t points, double tolerance);
@@ -41,10 +34,6 @@ void check_least_radius(const Claim& claim, double least_radius);
 // Throws BadRequest if an ellipse is longer than the shorter side of a torus. There two points have
 // several ways between them, and more than one might lie in the ellipse.
 void check_longest_ellipse(const Claim& claim, double longest_radius);
-
-// The least distance of two classes that is not 0, and all as shares of it.
-double least_distance(const Classes& classes);
-std::vector<double> shares_of(const Claim& claim);
 
 // Whether the claim has one radius, and lets points lie everywhere.
 bool is_uniform(const Claim& claim);

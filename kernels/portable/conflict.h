@@ -1,16 +1,16 @@
 // The conflict rule of mode exact: whether two samples are too close, and what a sample takes from
 // a line through an active box. This is the paper's metric min (4.2.1): of two radii the smaller
 // counts. With one radius for all samples, the two radii are equal. Two classes of samples keep
-// that radius times their factor (sheets.h). With one class the factor is FACTOR_ONE.
+// that radius times their factor (class_copies.h). With one class the factor is FACTOR_ONE.
 //
 // A rule must ensure that every point of the box on a chord conflicts with the sample. `box_radius`
 // is therefore the least radius under the box.
 #ifndef LACUNA_PORTABLE_CONFLICT_H
 #define LACUNA_PORTABLE_CONFLICT_H
 #include "chord.h"
+#include "class_copies.h"
 #include "distance.h"
 #include "ellipse.h"
-#include "sheets.h"
 
 LACUNA_BEGIN
 
@@ -28,7 +28,7 @@ LACUNA_FN u64 squared_limit(u32 radius_a, u32 radius_b, u64 factor) {
     return limit * limit;
 }
 
-// Both must have the x of one sheet.
+// Both must have the x of one copy.
 LACUNA_FN bool conflicts(Sized a, Sized b, u64 factor, u32 period_x, u32 period_y) {
     return are_closer(a.x, a.y, b.x, b.y, period_x, period_y,
                       squared_limit(a.radius, b.radius, factor));

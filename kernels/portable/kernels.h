@@ -40,7 +40,7 @@ struct Geometry {
     u32 grid_side;  // width of the sample grid's cells, see grid_of in device/layout.h
     u32 grid_columns;
     u32 grid_rows;
-    u32 sheet_bits;  // see sheets.h
+    u32 copy_bits;  // see class_copies.h
 };
 LACUNA_TYPEDEF(Geometry)
 
@@ -210,7 +210,7 @@ LACUNA_END
 
 // Mode exact with a radius field. lists[] has the first entry of each block's list, and
 // visitor_heads[] its first visitor. tree_boxes and tree_links are the nodes of plan/first_boxes.h.
-// factors[MOST_CLASSES * a + b] is for samples of classes a and b (sheets.h). The kernel split
+// factors[MOST_CLASSES * a + b] is for samples of classes a and b (class_copies.h). The kernel split
 // writes borders[] and strip_radii[].
 #define LOCATE_WITH_FIELD_BINDINGS(B) B(0, READ, u32, axes) B(1, READ, Radii, radius_bounds)    \
     B(2, READ, u32, mask_nodes) B(3, READ, Box, boxes) B(4, READ, Origin, origins)              \

@@ -15,7 +15,7 @@
 #define AXIS_SHIFT 1u
 #define AXIS_SCALE 2u   // two words, the lower one first
 #define AXIS_LENGTH 4u  // in units
-#define AXIS_LAST 5u    // a mask of the bits that x has on its sheet (sheets.h)
+#define AXIS_LAST 5u    // a mask of the bits that x has on its copy (class_copies.h)
 #define AXIS_ROOT 6u    // the slots of the root of a mask's tree are 2^root pixels wide
 #define AXIS_WORDS 7u
 

@@ -453,7 +453,7 @@ def _made(
         while batch := [whole("seeds", seed, 0, MOST_64) for seed in islice(remaining, size)]:
             started = time.perf_counter()
             if width is not None and frame is None:
-                frame = _core.tile_frame(asked, batch[0], width)
+                frame = _core.tile_ring(asked, batch[0], width)
             all_made = _core.sample_many(asked, batch, frame, count_on if told else None)
             total = time.perf_counter() - started
             for made in all_made:

@@ -20,9 +20,9 @@
 #include "drawing/picture.h"
 #include "files/formats.h"
 #include "options.h"
+#include "options/read.h"
+#include "options/words.h"
 #include "parts.h"
-#include "recipes/read.h"
-#include "recipes/words.h"
 #include "watch.h"
 
 namespace nb = nanobind;
@@ -30,26 +30,21 @@ namespace nb = nanobind;
 namespace lacuna::python {
 namespace {
 
-// How a set was made, for .json.
-struct Made {
-    std::string mode{};  // empty: not known
-    files::Origin origin{};
-};
-
-Made made_of(const nb::dict& saved) {
-    Made made;
-    files::Origin& origin = made.origin;
-    origin.version = LACUNA_VERSION;
-    read(saved, "mode", made.mode);
+// How a set was made, for .json; without a mode it is not known.
+files::Origin origin_in(const nb::dict& saved) {
+    files::Origin origin{.version = LACUNA_VERSION};
+    std::string mode;
+    read(saved, "mode", mode);
+    if (!mode.empty()) origin.mode = options::named<Mode>(mode).value();
     read(saved, "seed", origin.seed);
-    read(saved, "maximal", origin.maximal);
+    origin.maximal.emplace(false);
+    read(saved, "maximal", *origin.maximal);
     read(saved, "scale", origin.scale);
     read(saved, "options", origin.options);
     std::vector<std::pair<double, std::uint64_t>> levels;
     read(saved, "levels", levels);
     for (const auto& [size, points] : levels) origin.levels.push_back({size, points});
-    if (!made.mode.empty()) origin.mode = recipes::named<Mode>(made.mode).value();
-    return made;
+    return origin;
 }
 
 std::vector<Ellipse> ellipses_in(const std::optional<EllipseArray>& array) {
@@ -90,7 +85,7 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, const nb::d
     read(saved, "are_strokes", style.are_strokes);
     read(saved, "line_width", style.line_width);
     read(saved, "for_a_pen", style.for_a_pen);
-    Made made = made_of(saved);
+    const files::Origin origin = origin_in(saved);
     const Unlocked unlocked;
     const files::Format& format = files::format_of(path);
     const std::vector<Point> points = points_of(array);
@@ -98,10 +93,10 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, const nb::d
     for (const auto& [ink, dots] : layers) its_layers.push_back({ink, dots});
     files::PointSet set{points, domain, radius};
     set.is_relaxed = is_relaxed;
-    if (!on_pixels.empty()) recipes::read_raster("on_pixels", on_pixels, set.on_pixels.emplace());
+    if (!on_pixels.empty()) options::read_raster("on_pixels", on_pixels, set.on_pixels.emplace());
     if (format.name() == "json") {
         set.radius = least_radius;
-        if (!made.mode.empty()) set.origin = &made.origin;
+        if (origin.mode) set.origin = &origin;
     }
     const std::vector<std::uint8_t> of_points =
         class_of ? classes_of(*class_of) : std::vector<std::uint8_t>{};
@@ -114,17 +109,11 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, const nb::d
     const std::vector<Ellipse> ellipses = ellipses_in(ellipse_array);
     set.ellipses = ellipses;
     set.writes_ellipses = !ellipses.empty();
-    std::string content;
-    if (format.medium && radii) {
-        std::vector<double> diameters(radii->shape(0));
-        for (std::size_t i = 0; i < diameters.size(); ++i) diameters[i] = 2 * radii->data()[i];
-        style.diameters = diameters;
-        style.paper_colour = paper_of(paper_colour);
-        content = drawing::draw(set, *format.medium, style);
-    } else {
-        content = files::encode(set, format);
-    }
-    files::write_whole(path, content);
+    std::vector<double> diameters(radii ? radii->shape(0) : 0);
+    for (std::size_t i = 0; i < diameters.size(); ++i) diameters[i] = 2 * radii->data()[i];
+    style.diameters = diameters;
+    style.paper_colour = paper_of(paper_colour);
+    files::write_whole(path, drawing::encode(set, format, style));
 }
 
 }  // namespace

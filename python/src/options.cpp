@@ -11,16 +11,16 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "options/describe.h"
+#include "options/options.h"
+#include "options/words.h"
 #include "parts.h"
-#include "recipes/describe.h"
-#include "recipes/options.h"
-#include "recipes/words.h"
 
 namespace lacuna::python {
 namespace {
 
-using recipes::Kind;
-using recipes::Option;
+using options::Kind;
+using options::Option;
 
 // Reads a value into its target. Functions are for texts: where Python has an array, it is not
 // among the values given.
@@ -35,17 +35,17 @@ struct Reader {
     void operator()(Boundary* boundary) const {
         *boundary = nb::cast<bool>(given[name]) ? Boundary::torus : Boundary::box;
     }
-    void operator()(std::optional<Mode>* mode) const { word(recipes::Words::modes, *mode); }
-    void operator()(std::optional<Metric>* metric) const { word(recipes::Words::metrics, *metric); }
-    void operator()(const recipes::Take& take) const {
+    void operator()(std::optional<Mode>* mode) const { word(options::Words::modes, *mode); }
+    void operator()(std::optional<Metric>* metric) const { word(options::Words::metrics, *metric); }
+    void operator()(const options::Take& take) const {
         if (nb::isinstance<nb::str>(given[name]))
             take.read(nb::cast<std::string>(given[name]), take.to);
     }
 
     template <class Enum>
-    void word(recipes::Words words, std::optional<Enum>& value) const {
+    void word(options::Words words, std::optional<Enum>& value) const {
         const auto text = nb::cast<std::string>(given[name]);
-        value = recipes::named<Enum>(text);
+        value = options::named<Enum>(text);
         if (!value) throw BadRequest(name, "'" + text + "'", "must be " + listed(words));
     }
 };
@@ -58,9 +58,9 @@ std::string text_of(const nb::handle value) {
 // How Python converts the values of options: their kinds in the table.
 nb::dict kinds_of_options() {
     nb::dict kinds;
-    for (const recipes::Commands command : {recipes::kSample, recipes::kStipple, recipes::kRelax,
-                                            recipes::kVerify, recipes::kAnalyze})
-        for (const Option* option : recipes::options_of(command)) {
+    for (const options::Commands command : {options::kSample, options::kStipple, options::kRelax,
+                                            options::kVerify, options::kAnalyze})
+        for (const Option* option : options::options_of(command)) {
             const nb::str name(argument_called(option->name).c_str());
             if (option->kind == Kind::number) kinds[name] = "real";
             if (option->kind == Kind::whole) kinds[name] = "whole";
@@ -85,9 +85,9 @@ void refuse_number(const char* name, const nb::handle value, std::uint64_t most)
     throw BadRequest(name, text_of(value), "must be 0 to " + std::to_string(most));
 }
 
-void read(const nb::dict& given, const recipes::Targets& targets) {
-    for (const recipes::Commands command : {recipes::kSample, recipes::kStipple})
-        for (const Option* option : recipes::options_of(command)) {
+void read(const nb::dict& given, const options::Targets& targets) {
+    for (const options::Commands command : {options::kSample, options::kStipple})
+        for (const Option* option : options::options_of(command)) {
             const std::string name = argument_called(option->name);
             const auto target = targets.find(option->name);
             if (target != targets.end() && given.contains(name.c_str()))
@@ -97,23 +97,23 @@ void read(const nb::dict& given, const recipes::Targets& targets) {
 
 Request request_of(const nb::dict& given) {
     Request request;
-    read(given, recipes::targets_of(request));
+    read(given, options::targets_of(request));
     request.domain = domain_in(given);
     read_classes(given, request.classes);
-    request.place = place_in(given);
+    request.run_on = run_on_in(given);
     return request;
 }
 
-recipes::Moves moves_of(const nb::dict& given) {
-    recipes::Moves moves;
-    read(given, recipes::targets_of(moves));
+options::Moves moves_of(const nb::dict& given) {
+    options::Moves moves;
+    read(given, options::targets_of(moves));
     return moves;
 }
 
 void refuse_pairs(const nb::dict& given) {
-    recipes::CommandLine line{recipes::kSample, {}};
+    options::CommandLine line{options::kSample, {}};
     const auto arrays = nb::cast<std::vector<std::string>>(given["given"]);
-    for (const Option* option : recipes::options_of(line.command)) {
+    for (const Option* option : options::options_of(line.command)) {
         const std::string name = argument_called(option->name);
         const bool is_array = std::find(arrays.begin(), arrays.end(), name) != arrays.end();
         if (!is_array &&
@@ -123,12 +123,12 @@ void refuse_pairs(const nb::dict& given) {
         if (!is_array && option->kind != Kind::flag)
             line.given.back().values.push_back(text_of(given[name.c_str()]));
     }
-    recipes::refuse_pairs(line);
+    options::refuse_pairs(line);
 }
 
 nb::dict described(const Request& request, const Result& result) {
     nb::dict told;
-    for (const auto& part : {recipes::describe(request, result), recipes::describe_place(request)})
+    for (const auto& part : {options::describe(request, result), options::describe_place(request)})
         for (const auto& [name, value] : part)
             std::visit(
                 [&, key = nb::str(name.c_str())](const auto& one) {

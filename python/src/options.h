@@ -18,8 +18,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "recipes/make.h"
-#include "recipes/targets.h"
+#include "options/make.h"
+#include "options/targets.h"
 
 namespace lacuna::python {
 
@@ -46,7 +46,7 @@ void read(const nb::dict& given, const char* name, Value& value) {
 std::string argument_called(std::string_view option);
 
 // Reads all options that have a target.
-void read(const nb::dict& given, const recipes::Targets& targets);
+void read(const nb::dict& given, const options::Targets& targets);
 
 inline Domain domain_in(const nb::dict& given) {
     Domain domain;
@@ -67,13 +67,13 @@ inline Domain domain_in(const nb::dict& given) {
     return domain;
 }
 
-inline Place place_in(const nb::dict& given) {
-    Place place;
-    read(given, "backend", place.backend);
-    read(given, "device", place.device);
-    read(given, "threads", place.threads);
-    read(given, "memory_limit", place.memory_limit_bytes);
-    return place;
+inline RunOn run_on_in(const nb::dict& given) {
+    RunOn run_on;
+    read(given, "backend", run_on.backend);
+    read(given, "device", run_on.device);
+    read(given, "threads", run_on.threads);
+    read(given, "memory_limit", run_on.memory_limit_bytes);
+    return run_on;
 }
 
 void read_classes(const nb::dict& given, Classes& classes);
@@ -82,7 +82,7 @@ void read_classes(const nb::dict& given, Classes& classes);
 Request request_of(const nb::dict& given);
 
 // The moves of a request.
-recipes::Moves moves_of(const nb::dict& given);
+options::Moves moves_of(const nb::dict& given);
 
 // Throws BadRequest for arguments of sample that exclude or need each other. given["given"] lists
 // those that are arrays.

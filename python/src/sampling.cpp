@@ -21,11 +21,11 @@
 
 #include "arrays.h"
 #include "options.h"
+#include "options/settle.h"
 #include "outlines.h"
 #include "parts.h"
 #include "plan/kept.h"
 #include "plan/sheets.h"
-#include "recipes/settle.h"
 #include "watch.h"
 
 namespace nb = nanobind;
@@ -167,14 +167,14 @@ void keep_domain(const nb::dict& given, nb::dict& made) {
 }
 
 // Decides the mode and the metric of a request that has its field.
-void settle(const nb::dict& given, const recipes::Moves& moves, Request& request) {
+void settle(const nb::dict& given, const options::Moves& moves, Request& request) {
     const bool has_ellipses = request.field != nullptr && !request.field->stretches.empty();
-    recipes::Given asked{.has_ellipses = has_ellipses,
-                         .has_domain = true,
-                         .relax = moves.iterations,
-                         .gaussian = moves.gaussian};
-    read(given, recipes::Targets{{"mode", &asked.mode}, {"metric", &asked.metric}});
-    recipes::settle(asked, request);
+    options::Choices asked{.has_ellipses = has_ellipses,
+                           .has_domain = true,
+                           .relax = moves.iterations,
+                           .gaussian = moves.gaussian};
+    read(given, options::Targets{{"mode", &asked.mode}, {"metric", &asked.metric}});
+    options::settle(asked, request);
 }
 
 // Samples, and moves the points if that is asked for. Returns the attributes of a PointSet.
@@ -187,11 +187,11 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* ma
     request.mask = mask;
     read(given, "edge", request.places.edge);
     read(given, "inside_by_radius", request.places.border_by_radius);
-    const recipes::Moves moves = moves_of(given);
+    const options::Moves moves = moves_of(given);
     settle(given, moves, request);
     const Outlines outlines(places);
     Watch watch(std::move(progress));
-    recipes::Made set;
+    options::Made set;
     std::vector<Ellipse> ellipses;
     std::vector<Point> kept;
     std::vector<std::uint8_t> of_kept;
@@ -202,7 +202,7 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* ma
         request.keep = kept;
         request.keep_classes = of_kept;
         request.places.outlines = outlines.copy();
-        set = recipes::make(request, moves, watch);
+        set = options::make(request, moves, watch);
         if (field != nullptr && !field->stretches.empty())
             ellipses = ellipses_of(set.result.points, *field, set.result.scale, request.domain);
     }
@@ -214,18 +214,18 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* ma
 }
 
 // The points that all tiles share.
-TileFrame tile_frame(const nb::dict& given, std::uint64_t seed, double width) {
+TileRing tile_ring(const nb::dict& given, std::uint64_t seed, double width) {
     Request request = request_of(given);
     settle(given, {}, request);
     request.seed = seed;
     Watch watch{nb::none()};
     const nb::gil_scoped_release no_gil;
-    return frame_of(request, width, watch);
+    return tile_ring(request, width, watch);
 }
 
 // Returns the attributes of a PointSet for each seed.
 nb::list sample_many_points(const nb::dict& given, const std::vector<std::uint64_t>& seeds,
-                            const std::optional<TileFrame>& frame, nb::object progress) {
+                            const std::optional<TileRing>& frame, nb::object progress) {
     refuse_pairs(given);
     Request request = request_of(given);
     settle(given, {}, request);
@@ -257,12 +257,12 @@ nb::dict relax_points(const PointArray& array, const Field* field, const nb::dic
                       nb::object progress) {
     RelaxOptions options;
     options.domain = domain_in(given);
-    options.place = place_in(given);
+    options.run_on = run_on_in(given);
     read(given, "iterations", options.iterations);
     read(given, "gaussian", options.gaussian);
     read(given, "gaussian_distance", options.gaussian_distance);
     read(given, "measure", options.measure);
-    recipes::check_moves({}, moves_of(given));  // a distance of steps without steps
+    options::check_moves({}, moves_of(given));  // a distance of steps without steps
     Watch watch(std::move(progress));
     Relaxed relaxed;
     {
@@ -315,8 +315,8 @@ void add_sampling(nb::module_& module) {
     module.def("ellipse_field", field_of_ellipses);
     module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg(),
                nb::arg().none(), nb::arg().none(), nb::arg().none());
-    nb::class_<TileFrame>(module, "TileFrame");
-    module.def("tile_frame", tile_frame);
+    nb::class_<TileRing>(module, "TileRing");
+    module.def("tile_ring", tile_ring);
     module.def("sample_many", sample_many_points, nb::arg(), nb::arg(), nb::arg().none(),
                nb::arg().none());
     module.def("relax", relax_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none());

@@ -14,9 +14,9 @@
 #include "arrays.h"
 #include "files/point_files.h"
 #include "options.h"
+#include "options/options.h"
+#include "options/read.h"
 #include "parts.h"
-#include "recipes/options.h"
-#include "recipes/read.h"
 #include "watch.h"
 
 namespace nb = nanobind;
@@ -36,18 +36,18 @@ Picture read_file(const nb::bytes& path) {
 
 StippleOptions options_of(const nb::dict& given, const std::vector<Ink>& inks) {
     StippleOptions options{.request = request_of(given), .inks = inks};
-    read(given, recipes::targets_of(options));
+    read(given, options::targets_of(options));
     read(given, "ink_counts", options.ink_counts);
     read(given, "sharpen", options.tone.sharpen);
     read(given, "sharpen_amount", options.tone.sharpen_amount);
     // The library cannot refuse these: some have one member, and some are nothing without others.
-    recipes::CommandLine line{recipes::kStipple, {}};
+    options::CommandLine line{options::kStipple, {}};
     for (const char* const name : {"dot-size", "pens", "paper-size", "margin"}) {
-        const std::string argument = recipes::find_option(recipes::kStipple, name)->key();
+        const std::string argument = options::find_option(options::kStipple, name)->key();
         if (given.contains(argument.c_str()))
             line.given.push_back({name, {nb::cast<std::string>(given[argument.c_str()])}});
     }
-    recipes::refuse_pairs(line);
+    options::refuse_pairs(line);
     return options;
 }
 

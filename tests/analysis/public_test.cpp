@@ -14,7 +14,7 @@ std::vector<Point> maximal_set(std::uint64_t seed) {
     Request request;
     request.radius = 0.03;
     request.domain.boundary = Boundary::torus;
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     request.seed = seed;
     return sample(request).points;
 }

@@ -106,7 +106,7 @@ inline std::vector<CellsRequest> cells_requests() {
                 CellsRequest made = cells_request(name, field, count, m, metric, boundary,
                                                   pick({1, 1, 1.7, 0.5}), pick({1, 1, 0.4, 2.1}));
                 made.request.paper2011.round_size = static_cast<std::uint64_t>(pick({0, 0, 1, 7}));
-                made.request.place.threads = static_cast<std::uint32_t>(pick({1, 2, 5}));
+                made.request.run_on.threads = static_cast<std::uint32_t>(pick({1, 2, 5}));
                 made.request.seed = random();
                 if (random() % 6 == 0) made.request.limit = 1 + random() % 20;
                 requests.push_back(std::move(made));

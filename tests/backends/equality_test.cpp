@@ -48,7 +48,7 @@ testing::AssertionResult same(const Request& request, const Plan& plan, const Ou
 
 Outcome run(Request request, const Plan& plan, const std::string& backend) {
     Observer nobody;
-    request.place.backend = backend;
+    request.run_on.backend = backend;
     return run_on_backend(request, plan, nobody).outcome;
 }
 
@@ -128,7 +128,7 @@ TEST_P(Equality, OfARoundOfAMillionDrawsEnds) {
         request.mode = mode;
         request.radius = 0.5;
         request.paper2011.round_size = 1'000'000;
-        request.place.backend = GetParam();
+        request.run_on.backend = GetParam();
         const Result result = sample(request);
         EXPECT_TRUE(result.maximal);
         EXPECT_GE(result.points.size(), 2u);
@@ -178,7 +178,7 @@ TEST_P(Equality, OnALargeSetInCells) {
 TEST_P(Equality, IsTheOneThatRan) {
     Request request;
     request.radius = 0.1;
-    request.place.backend = GetParam();
+    request.run_on.backend = GetParam();
     EXPECT_EQ(sample(request).backend, GetParam());
 }
 
@@ -187,9 +187,9 @@ INSTANTIATE_TEST_SUITE_P(Backend, Equality, tests::kParallelBackends, tests::nam
 TEST(Backends, WithoutDevicesRefuseTheNameOfOne) {
     Request request;
     request.radius = 0.1;
-    request.place.device = "GeForce";
+    request.run_on.device = "GeForce";
     for (const char* const backend : {"cpu", "reference", "auto"}) {
-        request.place.backend = backend;
+        request.run_on.backend = backend;
         EXPECT_THROW(sample(request), BadRequest) << backend;
     }
 }

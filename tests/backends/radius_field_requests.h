@@ -140,10 +140,10 @@ inline std::vector<FieldRequest> special_radius_field_requests() {
     coarse.request.paper2011.lines_per_radius = 4;
     FieldRequest threads =
         radius_field_request("regions that threads share", ramp_field(64, 48), 30000, torus, 4, 3);
-    threads.request.place.threads = 3;
+    threads.request.run_on.threads = 3;
     FieldRequest threads_on_box = radius_field_request("regions of a box that threads share",
                                                        white_holes_field(64, 48), 30000, box, 4, 3);
-    threads_on_box.request.place.threads = 2;
+    threads_on_box.request.run_on.threads = 2;
     return {
         rounds_of_one,
         rounds_of_all,
@@ -209,7 +209,7 @@ inline std::vector<FieldRequest> ellipse_requests() {
     const Boundary torus = Boundary::torus;
     FieldRequest threads = radius_field_request("ellipses that threads share",
                                                 swirled(ramp_field(40, 30), 6), 9000, box, 4, 3);
-    threads.request.place.threads = 3;
+    threads.request.run_on.threads = 3;
     FieldRequest coarse = radius_field_request(
         "ellipses in long first boxes", stretched_at_random(ramp_field(3, 2), 8, 5), 300, box);
     coarse.request.paper2011.lines_per_radius = 4;
@@ -270,7 +270,7 @@ inline std::vector<FieldRequest> class_requests() {
     cut_short.request.limit = 50;
     FieldRequest threads = with_classes(uniform("zones that threads share", 1, torus, 2, 1),
                                         distances_by_union(std::vector{0.03, 0.012}), {1, 1});
-    threads.request.place.threads = 3;
+    threads.request.run_on.threads = 3;
     return {
         cut_short,
         threads,
@@ -364,7 +364,7 @@ inline std::vector<FieldRequest> radius_field_requests() {
                                                  std::exp(1 + 5 * share()), boundary,
                                                  0.3 + 2 * share(), 0.3 + 2 * share());
         made.request.seed = random();
-        made.request.place.threads = 1 + below(2);
+        made.request.run_on.threads = 1 + below(2);
         if (random() % 3 == 0)
             made = with_mask(made, noise_mask(1 + below(30), 1 + below(30), random()));
         if (boundary == Boundary::box && random() % 3 == 0) made.request.border = 0.1 * share();

@@ -27,7 +27,7 @@ inline std::string describe(const Request& request) {
             << (request.paper2011.uniform_x ? ", uniform-x" : ", cdf");
     out << ", m " << request.paper2011.lines_per_radius.value_or(0) << ", round size "
         << request.paper2011.round_size << ", seed " << request.seed << ", threads "
-        << request.place.threads;
+        << request.run_on.threads;
     return out.str();
 }
 
@@ -105,7 +105,7 @@ inline std::vector<Request> equality_requests(Mode mode) {
         if (request.paper2011.round_size != 0)
             request.radius =
                 std::max(*request.radius, request.paper2011.round_size < 7 ? 0.1 : 0.05);
-        request.place.threads = static_cast<std::uint32_t>(pick({1, 2, 5}));
+        request.run_on.threads = static_cast<std::uint32_t>(pick({1, 2, 5}));
         request.seed = random();
         if (requests.size() % 5 == 2) {  // some lie elsewhere
             request.domain.x0 = -10.0 / 3;

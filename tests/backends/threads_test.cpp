@@ -28,7 +28,7 @@ Request small_request(const std::string& backend, std::uint64_t seed) {
     Request request;
     request.radius = 0.05;
     request.seed = seed;
-    request.place.backend = backend;
+    request.run_on.backend = backend;
     return request;
 }
 
@@ -68,11 +68,11 @@ TEST_P(Threads, ThatSampleAtOnceAllGetTheirSets) {
             const auto turn = static_cast<std::size_t>(thread + call);
             const std::uint64_t seed = turn / backends.size() % kSeeds;
             Request request = small_request(backends[turn % backends.size()], seed);
-            request.place.threads = static_cast<std::uint32_t>(turn % 5);
+            request.run_on.threads = static_cast<std::uint32_t>(turn % 5);
             try {
                 if (!are_equal(sample(request).points, expected[seed]))
                     errors[static_cast<std::size_t>(thread)] =
-                        "other points: " + request.place.backend;
+                        "other points: " + request.run_on.backend;
                 ++made;
             } catch (const Unavailable&) {
             } catch (const std::exception& error) {
@@ -99,7 +99,7 @@ TEST(ThreadsOfAProgram, OfOtherNumbersAreNoWordOnStandardError) {
         for (int call = 0; call < 20; ++call) {
             Request request = small_request("cpu", 1);
             request.radius = 0.01;
-            request.place.threads = static_cast<std::uint32_t>(2 + 2 * thread);
+            request.run_on.threads = static_cast<std::uint32_t>(2 + 2 * thread);
             sample(request);
         }
     });

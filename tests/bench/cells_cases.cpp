@@ -42,8 +42,8 @@ void add(const std::string& backend, std::uint64_t count, std::uint32_t m, Metri
     request.count = count;
     request.paper2011.lines_per_radius = m;
     request.metric = metric;
-    request.place.backend = backend;
-    request.place.threads = threads;
+    request.run_on.backend = backend;
+    request.run_on.threads = threads;
     std::ostringstream name;
     name << "cells/" << backend << "/raccoon/N=" << count << "/m=" << m;
     if (metric != Metric::min) name << "/" << name_of(metric);

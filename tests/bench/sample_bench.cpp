@@ -26,8 +26,8 @@ Request torus(Mode mode, const std::string& backend, double radius, std::uint32_
     request.mode = mode;
     request.radius = radius;
     request.domain.boundary = Boundary::torus;
-    request.place.backend = backend;
-    request.place.threads = threads;
+    request.run_on.backend = backend;
+    request.run_on.threads = threads;
     return request;
 }
 

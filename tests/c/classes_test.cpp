@@ -101,7 +101,7 @@ TEST_F(ClassesInC, AreRefusedWhereTheyHaveNoUse) {
     given_.classes = &stranger;
     EXPECT_EQ(unproven(kWood), "class 2: must be less than 2, the number of classes");
     given_.classes = nullptr;
-    EXPECT_EQ(unproven(kWood), "class 0 points: have a class, but there are 1 points");
+    EXPECT_EQ(unproven(kWood), "class 1 points: with classes each needs a class, but 0 have one");
 }
 
 }  // namespace

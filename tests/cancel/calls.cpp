@@ -160,12 +160,12 @@ void add_samples(const Shared& given, std::size_t size, std::vector<Call>& all) 
     });
     for (const char* const backend : {"opencl", "vulkan"})
         add((std::string(" on ") + backend).c_str(), [=](Request& r, const Given&) {
-            r.place.backend = backend;
+            r.run_on.backend = backend;
             r.radius = 0.02 * length;
         });
     const auto slowly = [&](const char* what, auto change) {
         add(what, [=](Request& r, const Given& g) {
-            r.place.backend = "reference";
+            r.run_on.backend = "reference";
             change(r, g);
         });
     };
@@ -191,16 +191,16 @@ void add_others(const Shared& given, std::size_t size, std::vector<Call>& all) {
         request.radius = 0.02;
         sample_many(request, g.seeds, [](std::uint64_t, const Result&) {});
     });
-    add("frame_of", [=](const Given&) {
+    add("tile_ring", [=](const Given&) {
         Request request;
         request.domain.boundary = Boundary::torus;
         request.radius = 0.004 * length;
-        frame_of(request, 0.1);
+        tile_ring(request, 0.1);
     });
     add("relax", [](const Given& g) { relax(g.points, &g.field, {.iterations = 2}); });
     add("relax on reference", [](const Given& g) {
         relax(std::span(g.points).first(g.points.size() / 100), nullptr,
-              {.iterations = 1, .place = {.backend = "reference"}});
+              {.iterations = 1, .run_on = {.backend = "reference"}});
     });
     add("place_inks", [=](const Given& g) {
         const std::vector<InkPart> inks{{&g.field, 2000 * size}, {&g.field, 1000 * size}};
@@ -221,7 +221,7 @@ void add_others(const Shared& given, std::size_t size, std::vector<Call>& all) {
         draw_places(sets, {1, 1}, 0.0015 * length);
     });
     add("draw_mask with a distance", [=](const Given& g) {
-        const std::vector<PolygonSet> sets{{g.rings, true, 0.001}};
+        const std::vector<PolygonSet> sets{{g.rings, Role::outside, 0.001}};
         draw_mask(sets, {1, 1}, 0.0015 * length);
     });
     add("resolve", [=](const Given& g) {

@@ -14,7 +14,6 @@
 #include "cli/expectations.h"
 #include "cli/pictures.h"
 #include "files/read_points.h"
-#include "files/read_sets.h"
 #include "pictures/ellipses.h"
 #include "program.h"
 
@@ -25,7 +24,7 @@ using namespace lacuna::tests;
 
 std::vector<Point> points_by(const Folder& folder, const Words& command, const Words& options) {
     expect_success(joined(joined(command, options), {"--quiet", "-o", folder.path("made.csv")}));
-    return files::read_points(folder.path("made.csv"));
+    return files::read_points(folder.path("made.csv")).points;
 }
 
 // Lighter to the right, 24 x 16 pixels.
@@ -66,9 +65,9 @@ protected:
             SCOPED_TRACE(testing::PrintToString(one.words));
             const std::string made = folder_.path("made.json");
             expect_success(joined(joined({"sample"}, one.words), {"--quiet", "-o", made}));
-            const files::SetsOfFile got = files::read_sets(made);
+            const files::PointsOfFile got = files::read_points(made);
             const Result expected = sample(one.request);
-            EXPECT_EQ(got.sets.front(), expected.points);
+            EXPECT_EQ(got.points, expected.points);
             EXPECT_EQ(got.classes.of_point, expected.classes);
         }
     }
@@ -123,14 +122,15 @@ TEST_F(OptionsOfSample, ThatNamePlacesArriveInTheRequest) {
         around{{{0.01, 0.5}}, {{1.01, 0.5}}};
     const Mask* const border = drawn({{.rings = in_low, .distance = 0.01},
                                       {.rings = in_high, .distance = 0.01},
-                                      {.rings = in_pond, .forbidden = true, .distance = 0.01},
-                                      {.rings = rock, .forbidden = true, .distance = 0.1}});
-    const Mask* const by_radius = drawn({{.rings = in_low, .distance = 0.015},
-                                         {.rings = rock, .forbidden = true, .distance = 0.115}});
-    const Mask* const near = drawn({{.rings = line, .distance = 0.2, .near = true},
-                                    {.rings = rock, .distance = 0.1, .near = true},
-                                    {.rings = line, .forbidden = true, .distance = 0.05}});
-    const Mask* const torus = drawn({{.rings = around, .forbidden = true, .distance = 0.2}});
+                                      {.rings = in_pond, .role = Role::outside, .distance = 0.01},
+                                      {.rings = rock, .role = Role::outside, .distance = 0.1}});
+    const Mask* const by_radius =
+        drawn({{.rings = in_low, .distance = 0.015},
+               {.rings = rock, .role = Role::outside, .distance = 0.115}});
+    const Mask* const near = drawn({{.rings = line, .role = Role::near, .distance = 0.2},
+                                    {.rings = rock, .role = Role::near, .distance = 0.1},
+                                    {.rings = line, .role = Role::outside, .distance = 0.05}});
+    const Mask* const torus = drawn({{.rings = around, .role = Role::outside, .distance = 0.2}});
     const Words common{"--edge", "0.003", "--domain", "1x1", "--radius", "0.03"};
     expect_arrivals(
         {{joined(common, {"--inside", low, "--inside", high, "--outside", pond, "--avoid", rocks,
@@ -171,7 +171,7 @@ TEST_F(OptionsOfSample, ThatNameClassesArriveInTheRequest) {
     const auto each = [&](double a, double b) {
         return std::vector<const Mask*>{
             drawn({{.rings = in_low, .distance = a},
-                   {.rings = in_pond, .forbidden = true, .distance = a}}),
+                   {.rings = in_pond, .role = Role::outside, .distance = a}}),
             drawn({{.rings = in_high, .distance = b}})};
     };
     const Words of_each{"--inside",  low,         "--inside", "b:" + high,
@@ -234,7 +234,7 @@ TEST(OptionsOfStipple, ArriveInTheLibrary) {
           .relax = 0,
           .tone = {.auto_levels = true}}},
         {{"--count", "200", "--mode", "exact", "--along", "4", "--backend", "reference"},
-         {.request = {.count = 200, .place = {.backend = "reference"}},
+         {.request = {.count = 200, .run_on = {.backend = "reference"}},
           .start = Mode::exact,
           .tone = {.along = 4}}},
         {{"--inks", "red,#0000ff", "--black-ink", "0.5", "--ink-counts", "70,50", "--relax", "1"},

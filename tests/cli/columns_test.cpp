@@ -9,14 +9,14 @@
 #include "cli/expectations.h"
 #include "cli/pictures.h"
 #include "files/formats.h"
-#include "files/read_sets.h"
+#include "files/read_points.h"
 #include "program.h"
 
 namespace columns_test {
 
 using namespace lacuna::tests;
 using lacuna::files::Format;
-using lacuna::files::SetsOfFile;
+using lacuna::files::PointsOfFile;
 
 struct Columns {
     std::string name;
@@ -33,18 +33,17 @@ std::vector<Columns> all_columns(const Folder& folder) {
             {"ellipses", {"sample", "--stretch", ".1:.05@30", "--ellipse-columns"}, "ellipse"}};
 }
 
-std::size_t columns_in(const SetsOfFile& file, const std::string& name) {
+std::size_t columns_in(const PointsOfFile& file, const std::string& name) {
     return name == "classes" ? file.classes.of_point.size()
            : name == "inks"  ? file.inks.of_point.size()
                              : file.ellipses.size();
 }
 
 // For each point, sorted: its place and what belongs to it.
-std::vector<std::string> rows_of(const SetsOfFile& file) {
+std::vector<std::string> rows_of(const PointsOfFile& file) {
     std::vector<std::string> rows;
-    for (std::size_t i = 0; i < file.sets[0].size(); ++i) {
-        std::string row =
-            std::to_string(file.sets[0][i].x) + " " + std::to_string(file.sets[0][i].y);
+    for (std::size_t i = 0; i < file.points.size(); ++i) {
+        std::string row = std::to_string(file.points[i].x) + " " + std::to_string(file.points[i].y);
         for (const auto* layers : {&file.classes, &file.inks})
             if (!layers->of_point.empty()) row += " " + layers->names[layers->of_point[i]];
         if (!file.ellipses.empty()) row.append(" ").append(std::to_string(file.ellipses[i].angle));
@@ -54,8 +53,8 @@ std::vector<std::string> rows_of(const SetsOfFile& file) {
     return rows;
 }
 
-SetsOfFile read(const std::string& path) {
-    return lacuna::files::read_sets(path);
+PointsOfFile read(const std::string& path) {
+    return lacuna::files::read_points(path);
 }
 
 TEST(Columns, AreWrittenByEachCommandInEachFormatOrRefused) {
@@ -84,8 +83,8 @@ TEST(Columns, AreWrittenByEachCommandInEachFormatOrRefused) {
                 // A .npy has no names: three columns might be a third coordinate.
                 if (format.medium || (format.name() == "npy" && columns.name != "ellipses"))
                     continue;
-                const SetsOfFile written = read(path);
-                EXPECT_EQ(columns_in(written, columns.name), written.sets[0].size());
+                const PointsOfFile written = read(path);
+                EXPECT_EQ(columns_in(written, columns.name), written.points.size());
                 if (command[0] == "order" && format.name() != "ply") {
                     EXPECT_EQ(rows_of(written), rows_of(read(given)));
                 }

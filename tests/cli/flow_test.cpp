@@ -13,8 +13,8 @@
 
 #include "cli/pictures.h"
 #include "expectations.h"
+#include "options/options.h"
 #include "program.h"
-#include "recipes/options.h"
 
 namespace {
 
@@ -134,7 +134,7 @@ TEST(Help, BeginsWithExamples) {
 }
 
 TEST(Help, OfACommandBeginsWithExamplesAndNamesEveryOption) {
-    using namespace lacuna::recipes;
+    using namespace lacuna::options;
     for (const Commands command :
          {kSample, kStipple, kRelax, kOrder, kVerify, kAnalyze, kCompare, kReproduce}) {
         const Outcome outcome = run({std::string(name_of_command(command)), "--help"});

@@ -57,12 +57,12 @@ TEST(StippleFrames, EachDotKeepsItsIndexAndMovesLittle) {
                   .exit_code,
               0);
     EXPECT_NE(json_of("1.json").find("--frames"), std::string::npos) << "how it was made";
-    std::vector<Point> before = lacuna::files::read_points(folder.path("0.npy"));
+    std::vector<Point> before = lacuna::files::read_points(folder.path("0.npy")).points;
     EXPECT_EQ(before, points_of(folder.path("in/0.pgm"),
                                 {"--count", "800", "--seed", "3", "--relax", "15"}));
     const double spacing = std::sqrt(0.75 / 800);
     for (const char* name : {"1.npy", "2.npy"}) {
-        const std::vector<Point> dots = lacuna::files::read_points(folder.path(name));
+        const std::vector<Point> dots = lacuna::files::read_points(folder.path(name)).points;
         ASSERT_EQ(dots.size(), 800U);
         std::vector<double> moves;
         for (std::size_t i = 0; i < dots.size(); ++i)

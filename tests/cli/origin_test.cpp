@@ -46,7 +46,7 @@ TEST(AJsonFile, OfAnyFileNameIsReadBack) {
     EXPECT_NE(Json::parse(json.out).at("command").get<std::string>().find("it'\\''s"),
               std::string::npos);
     write_file(folder.path("a.json"), json.out);
-    EXPECT_EQ(lacuna::files::read_points(folder.path("a.json")).size(), 50U);
+    EXPECT_EQ(lacuna::files::read_points(folder.path("a.json")).points.size(), 50U);
     const Outcome svg = run({"stipple", image, "--count", "50", "--format", "svg"});
     expect_has(svg.out, {"&amp; &lt;odd>", "\xef\xbf\xbd", "seed 0"});
 }
@@ -111,11 +111,11 @@ TEST(Dots, HaveTheirSizesAndMillimetresInFilesWhereADotSizeIsGiven) {
     EXPECT_NEAR(radius_mm, 1, 1e-9);
     EXPECT_NEAR(radius, 1.0 / 80, 1e-9);
 
-    const auto points = lacuna::files::read_points(folder.path("a.csv"));
+    const auto points = lacuna::files::read_points(folder.path("a.csv")).points;
     ASSERT_EQ(points.size(), 40U);
     for (const std::string name : {"b.npy", "b.ply", "b.json"}) {
         made("2mm", name);
-        EXPECT_EQ(lacuna::files::read_points(folder.path(name)), points) << name;
+        EXPECT_EQ(lacuna::files::read_points(folder.path(name)).points, points) << name;
     }
     const Json dots = Json::parse(content_of(folder.path("b.json"))).at("dots");
     EXPECT_EQ(dots.at("mm_per_unit"), 80);

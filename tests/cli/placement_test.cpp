@@ -171,7 +171,7 @@ TEST_F(Placement, ThatHasNoPlaceIsSaid) {
         const Words asked = joined(in_lake_, {"--mask", black_});
         expect_success(joined(joined({"sample", "--quiet", "-o", path}, asked),
                               {"-o", folder_.path("a.svg")}));
-        EXPECT_TRUE(files::read_points(path).empty()) << end;
+        EXPECT_TRUE(files::read_points(path).points.empty()) << end;
         expect_success(joined({"verify", path}, asked));
         // The next chunk keeps what there is: nothing.
         expect_success({"sample", "--radius", "3", "--domain", "74,10+64x64", "--keep", path, "-o",
@@ -253,7 +253,7 @@ TEST_F(Placement, OfStrokesAndObstaclesIsReadFromTheirFiles) {
     // In units of a domain of the page's shape.
     for (const char* const option : {"--avoid", "--near"}) {
         EXPECT_EQ(made({option, map + ":stroke", "--domain", "120x80"}), "");
-        for (const Point& point : files::read_points(out))
+        for (const Point& point : files::read_points(out).points)
             EXPECT_EQ(std::abs(point.x - 60) < 8, std::string(option) == "--near") << point.x;
     }
     EXPECT_EQ(
@@ -303,11 +303,11 @@ TEST_F(Placement, OfTilesBeginsWithTheirFrame) {
     expect_has(made.err, {", " + std::to_string(kept) + " of them kept, "});
     EXPECT_EQ(Json::parse(content_of(folder_.path("all.json")))["request"]["kept"], kept);
     Request tile{.domain = {1, 1, Boundary::torus}, .radius = 0.05, .seed = 4};
-    const TileFrame frame = frame_of(tile, 0.1);
+    const TileRing frame = tile_ring(tile, 0.1);
     tile.seed = 7;
     tile.keep = frame.points;
     EXPECT_EQ(kept, frame.points.size());
-    const std::vector<Point> points = files::read_points(folder_.path("7.json"));
+    const std::vector<Point> points = files::read_points(folder_.path("7.json")).points;
     EXPECT_EQ(points, sample(tile).points);
     EXPECT_NE(four["points"], seven["points"]);
     expect_success({"verify", folder_.path("7.json")});

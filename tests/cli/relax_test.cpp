@@ -15,7 +15,7 @@ using namespace lacuna::tests;
 using lacuna::Point;
 
 std::vector<Point> points_in(const std::string& path) {
-    return lacuna::files::read_points(path);
+    return lacuna::files::read_points(path).points;
 }
 
 TEST(Relax, MakesOfASetWhatSampleAndStippleMakeOfThatStart) {

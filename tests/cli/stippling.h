@@ -34,7 +34,7 @@ inline std::vector<Point> points_of(const std::string& image, Names arguments) {
     const Outcome outcome = stipple(image, std::move(arguments), folder.path("a.npy"));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
-    return outcome.exit_code == 0 ? lacuna::files::read_points(folder.path("a.npy"))
+    return outcome.exit_code == 0 ? lacuna::files::read_points(folder.path("a.npy")).points
                                   : std::vector<Point>{};
 }
 

@@ -37,7 +37,7 @@ Request request_of(Boundary boundary, std::uint64_t round_size) {
     request.radius = kRadius;
     request.domain.boundary = boundary;
     request.paper2011.round_size = round_size;
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     return request;
 }
 

@@ -36,7 +36,7 @@ Request request_of(const Field& field, double scale, double width = 1) {
     request.scale = scale;
     request.domain.width = width;
     request.domain.boundary = Boundary::torus;
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     return request;
 }
 
@@ -121,21 +121,21 @@ bool are_in_ellipses(const Plan& plan, Sample a, Sample b) {
 std::vector<Sample> throw_darts(const Request& request, const Plan& plan) {
     std::vector<Sample> stuck;
     std::vector<std::uint64_t> radii;
-    const Sheets& sheets = plan.field().sheets;
+    const ClassCopies& copies = plan.field().copies;
     for (std::uint64_t number = 0; stuck.size() < plan.limit; ++number) {
         const RandomBits random = random_bits(request.seed, number);
-        const auto sheet = static_cast<std::uint32_t>(
-            scaled(random_bits(request.seed, number, 7).first, sheets.count()));
+        const auto copy = static_cast<std::uint32_t>(
+            scaled(random_bits(request.seed, number, 7).first, copies.count()));
         const Sample dart{
-            sheets.x_on(sheet, static_cast<std::uint32_t>(scaled(random.first, plan.width))),
+            copies.x_on(copy, static_cast<std::uint32_t>(scaled(random.first, plan.width))),
             static_cast<std::uint32_t>(scaled(random.second, plan.height))};
         const std::uint64_t radius = plan.field().radius_field->radius_at(dart.x, dart.y);
         bool is_free = radius != 0;
         for (std::size_t i = 0; i < stuck.size() && is_free; ++i) {
             const std::uint64_t least =
                 portable::times_factor(static_cast<std::uint32_t>(std::min(radius, radii[i])),
-                                       sheets.factor(sheet, sheets.of(stuck[i].x)));
-            is_free = !portable::are_closer(sheets.x_on(sheet, stuck[i].x), stuck[i].y, dart.x,
+                                       copies.factor(copy, copies.of(stuck[i].x)));
+            is_free = !portable::are_closer(copies.x_on(copy, stuck[i].x), stuck[i].y, dart.x,
                                             dart.y, plan.period_x, plan.period_y, least * least) ||
                       !are_in_ellipses(plan, stuck[i], dart);
         }
@@ -185,7 +185,7 @@ TEST(SetsOfEllipses, AreDistributedAsDartThrowings) {
     }));
 }
 
-// Two classes of one radius by union: the first class alone, and both together on one sheet.
+// Two classes of one radius by union: the first class alone, and both together on one copy.
 struct OfClasses {
     tests::Sets first;
     tests::Sets both;
@@ -200,7 +200,7 @@ OfClasses make_sets_of_classes(Request request, std::uint64_t first_seed, Make m
         const Plan plan = make_plan(request);
         std::vector<Sample> first, both;
         for (const Sample sample : make(request, plan)) {
-            both.push_back({plan.x_on_sheet(sample.x), sample.y});
+            both.push_back({plan.x_on_copy(sample.x), sample.y});
             if (plan.class_of(sample) == 0) first.push_back(sample);
         }
         // How many lie on the left says where the free space was left last.
@@ -216,7 +216,7 @@ Request request_of_two_classes() {
     request.classes.names = {"one", "other"};
     request.classes.distances = distances_by_union(std::vector{0.03, 0.03});
     request.domain.boundary = Boundary::torus;
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     return request;
 }
 

@@ -36,7 +36,7 @@ Group made_group(const std::string& backend, std::uint64_t round_size, std::uint
     request.mode = Mode::lines;
     request.radius = 0.01;
     request.domain.boundary = Boundary::torus;
-    request.place.backend = backend;
+    request.run_on.backend = backend;
     request.paper2011.round_size = round_size;
     for (request.seed = first_seed; request.seed < first_seed + kSeeds; ++request.seed) {
         const Plan plan = make_plan(request);

@@ -34,8 +34,8 @@ SOURCE = re.compile(r"[\w/*-]+\.(?:cpp|h|cl|comp|cmake)$")
 INCLUDE = re.compile(r'^#include ["<]([\w./]+)[">]', re.MULTILINE)
 # A fault in what two of them share would blind both. Of this project's own code each may include what
 # is named here, beside the public headers.
-APART = {"tests/judge": ("judge/",), "host/verify": ("verify/", "base/", "places/sets.h"),
-         "host/base": ("base/",)}
+APART = {"tests/judge": ("judge/",), "host/verify": ("verify/", "base/", "checks/", "places/sets.h"),
+         "host/checks": ("checks/", "base/"), "host/base": ("base/",)}
 
 
 def joined(text: str) -> str:

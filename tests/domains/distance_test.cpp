@@ -15,7 +15,7 @@ namespace {
 // The places nearer than the distance are a disk, a band, or the inside with a rim.
 TEST(DistancesFromOutlines, AreDrawnAroundPointsLinesAndPolygons) {
     const auto open_share = [](const std::vector<PolygonRing>& rings) {
-        const PolygonSet set{rings, true, 0.1};
+        const PolygonSet set{rings, Role::outside, 0.1};
         const Mask mask = draw_mask(std::span(&set, 1), {1, 1}, 0.0005);
         return static_cast<double>(
                    std::count(mask.allowed.begin(), mask.allowed.end(), std::uint8_t{1})) /
@@ -33,13 +33,13 @@ TEST(DistancesFromOutlines, AreDrawnAroundPointsLinesAndPolygons) {
 // Samples that lie near to a disk of a file of disks lie near to one of them all.
 TEST(DistancesFromOutlines, WithinWhichSamplesLieAreJoined) {
     const std::vector<PolygonRing> here{{{0.3, 0.5}}}, there{{{0.8, 0.5}}};
-    const std::vector<PolygonSet> near{{.rings = here, .distance = 0.2, .near = true},
-                                       {.rings = there, .distance = 0.1, .near = true}};
+    const std::vector<PolygonSet> near{{.rings = here, .role = Role::near, .distance = 0.2},
+                                       {.rings = there, .role = Role::near, .distance = 0.1}};
     const Mask mask = draw_mask(near, {1, 1}, 0.001);
     const auto open = std::count(mask.allowed.begin(), mask.allowed.end(), std::uint8_t{1});
     EXPECT_NEAR(static_cast<double>(open) / static_cast<double>(mask.allowed.size()),
                 3.14159265 * (0.04 + 0.01), 0.003);
-    const PolygonSet far{.rings = here, .distance = 1e-9, .near = true};
+    const PolygonSet far{.rings = here, .role = Role::near, .distance = 1e-9};
     const Mask none = draw_mask(std::span(&far, 1), {1, 1}, 0.001);
     EXPECT_EQ(std::count(none.allowed.begin(), none.allowed.end(), std::uint8_t{1}), 0);
 }

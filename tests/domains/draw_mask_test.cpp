@@ -78,8 +78,8 @@ double to_rectangle(Point a, Point b, Point low, Point high) {
 bool is_allowed(const std::vector<PolygonSet>& sets, Point low, Point high, double margin,
                 bool& is_close) {
     const Point middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
-    bool is_inside_some =
-        std::all_of(sets.begin(), sets.end(), [](const PolygonSet& set) { return set.forbidden; });
+    bool is_inside_some = std::all_of(sets.begin(), sets.end(),
+                                      [](const PolygonSet& set) { return is_forbidden(set.role); });
     bool is_left_open = true;
     for (const PolygonSet& set : sets) {
         bool inside = false;
@@ -93,7 +93,7 @@ bool is_allowed(const std::vector<PolygonSet>& sets, Point low, Point high, doub
             }
         is_close = is_close || std::abs(least - set.distance - margin) < 1e-9;
         const bool is_near = least <= set.distance + margin;
-        if (set.forbidden)
+        if (is_forbidden(set.role))
             is_left_open = is_left_open && !inside && !is_near;
         else
             is_inside_some = is_inside_some || (inside && !is_near);
@@ -153,7 +153,7 @@ TEST(ADrawnMask, IsRightPixelByPixelForRandomSets) {
                                     ((1 + 2 * reach) * share() - reach) * height});
             }
             sets.push_back({.rings = own,
-                            .forbidden = random() % 2 == 0,
+                            .role = random() % 2 == 0 ? Role::outside : Role::inside,
                             .distance = random() % 2 == 0 ? 0 : 4 * share()});
         }
         Mask mask;
@@ -212,13 +212,16 @@ TEST(ADrawnMask, MayHaveNoPixel) {
     for (const std::vector<PolygonSet>& sets :
          std::vector<std::vector<PolygonSet>>{{{apart}},
                                               {{thin}},
-                                              {{all, true}},
-                                              {{apart}, {apart, true}},
-                                              {{all}, {all, true}},
-                                              {{apart, false, 2, true}}})
+                                              {{all, Role::outside}},
+                                              {{apart}, {apart, Role::outside}},
+                                              {{all}, {all, Role::outside}},
+                                              {{apart, Role::near, 2}}})
         EXPECT_TRUE(is_empty(draw_mask(sets, {1, 1}, 0.1)));
-    for (const std::vector<PolygonSet>& sets : std::vector<std::vector<PolygonSet>>{
-             {{apart, true}}, {{apart, true, 2}}, {{all}, {apart}}, {{all}, {apart, true}}}) {
+    for (const std::vector<PolygonSet>& sets :
+         std::vector<std::vector<PolygonSet>>{{{apart, Role::outside}},
+                                              {{apart, Role::outside, 2}},
+                                              {{all}, {apart}},
+                                              {{all}, {apart, Role::outside}}}) {
         const Mask mask = draw_mask(sets, {1, 1}, 0.1);
         EXPECT_EQ(std::count(mask.allowed.begin(), mask.allowed.end(), 0), 0);
     }
@@ -241,8 +244,7 @@ TEST(ADrawnMask, IsRefusedForNumbersThatMakeNoSense) {
         EXPECT_NE(refusal_of(rings, 1, 1, edge).find("must be a finite number greater than 0"),
                   std::string::npos);
     for (const double side : {0.0, -1.0, nan, infinity, 1e-200})
-        EXPECT_NE(refusal_of(rings, side, 1, 0.1).find("the sides must lie between"),
-                  std::string::npos);
+        EXPECT_NE(refusal_of(rings, side, 1, 0.1).find("side"), std::string::npos);
     for (const double x : {nan, infinity, -1e101})
         EXPECT_NE(refusal_of({{{0, 0}, {1, 0}, {x, 1}}}, 1, 1, 0.1)
                       .find("both must be finite numbers between -1e100 and 1e100"),
@@ -315,17 +317,18 @@ TEST(DrawnPlaces, HoldKeptPointsOnTheirOutlines) {
                                               {corner.x + 1, corner.y + 5}}};
         const Domain domain{.width = 8, .height = 8, .x0 = corner.x, .y0 = corner.y};
         for (const double distance : {0.0, 0.5})
-            for (const bool forbidden : {false, true}) {
-                const PolygonSet set{.rings = rings, .forbidden = forbidden, .distance = distance};
+            for (const Role role : {Role::inside, Role::outside}) {
+                const PolygonSet set{rings, role, distance};
                 const Mask mask = draw_places(std::span(&set, 1), domain, 0.01);
                 for (std::size_t i = 0; i < 4; ++i)
                     for (int step = 0; step <= 7; ++step) {
                         const Point a = rings[0][i], b = rings[0][(i + 1) % 4];
                         const Point along{b.x - a.x, b.y - a.y};
                         const double length = std::hypot(along.x, along.y);
-                        const double away = (forbidden ? -1 : 1) * distance;
+                        const double sign = role == Role::outside ? -1 : 1;
                         const auto at = [&](double beyond) {
-                            const double out = away - beyond;  // to the left, which is inside
+                            const double out =
+                                sign * distance - beyond;  // to the left, which is inside
                             return Point{a.x + step / 7.0 * along.x - out * along.y / length,
                                          a.y + step / 7.0 * along.y + out * along.x / length};
                         };
@@ -333,8 +336,7 @@ TEST(DrawnPlaces, HoldKeptPointsOnTheirOutlines) {
                         if (is_near_corner) continue;
                         EXPECT_TRUE(mask.drawn->keeps(at(0))) << i << " " << step;
                         if (step == 0 || step == 7) continue;
-                        const double too_far = forbidden ? -1e-6 : 1e-6;
-                        EXPECT_FALSE(mask.drawn->keeps(at(too_far))) << i << " " << step;
+                        EXPECT_FALSE(mask.drawn->keeps(at(sign * 1e-6))) << i << " " << step;
                     }
             }
     }

@@ -42,13 +42,14 @@ TEST(SetsOfPolygons, AreJoinedAndTheForbiddenTakenAway) {
         "#..###\n"
         "#..#..\n"
         "####..\n";
-    EXPECT_EQ(tests::picture_of(
-                  draw_mask(std::vector<PolygonSet>{{low}, {high}, {gone, true}}, {6, 5}, kPixel)),
+    EXPECT_EQ(tests::picture_of(draw_mask(
+                  std::vector<PolygonSet>{{low}, {high}, {gone, Role::outside}}, {6, 5}, kPixel)),
+              left);
+    EXPECT_EQ(tests::picture_of(draw_mask(
+                  std::vector<PolygonSet>{{gone, Role::outside}, {high}, {low}}, {6, 5}, kPixel)),
               left);
     EXPECT_EQ(tests::picture_of(
-                  draw_mask(std::vector<PolygonSet>{{gone, true}, {high}, {low}}, {6, 5}, kPixel)),
-              left);
-    EXPECT_EQ(tests::picture_of(draw_mask(std::vector<PolygonSet>{{gone, true}}, {3, 2}, kPixel)),
+                  draw_mask(std::vector<PolygonSet>{{gone, Role::outside}}, {3, 2}, kPixel)),
               "#..\n"
               "###\n");
 }
@@ -57,7 +58,7 @@ TEST(SetsOfPolygons, WithoutFiniteCornersAreRefused) {
     const std::vector<PolygonRing> all{rectangle(0, 1, 0, 1)};
     const std::vector<PolygonRing> broken{{{0, 0}, {1, 0}, {std::nan(""), 1}}};
     try {
-        draw_mask(std::vector<PolygonSet>{{all}, {broken, true}}, {1, 1}, 0.1);
+        draw_mask(std::vector<PolygonSet>{{all}, {broken, Role::outside}}, {1, 1}, 0.1);
         FAIL();
     } catch (const BadRequest& error) {
         EXPECT_TRUE(std::string_view(error.what()).starts_with("outside ring 0"));
@@ -107,7 +108,8 @@ TEST(SetsOfPolygons, AreFilledAndProvenFull) {
         request.domain.y0 = std::array{0.0, -541100.1, 1e-9, 1048576.0}[random() % 4];
         for (std::size_t k = 0; k < allowed + forbidden; ++k)
             rings.push_back(random_rings(random, request.domain));
-        for (std::size_t k = 0; k < rings.size(); ++k) sets.push_back({rings[k], k >= allowed});
+        for (std::size_t k = 0; k < rings.size(); ++k)
+            sets.push_back({rings[k], k < allowed ? Role::inside : Role::outside});
         request.radius = 0.06;
         request.seed = static_cast<std::uint64_t>(i);
         const double edge = *request.radius / 16;
@@ -157,7 +159,7 @@ TEST(SetsOfPolygons, HaveTheSamplesOfPixelsWhoseCentresLieInThem) {
 // The field is 0 at the middles of all pixels of the drawn mask, which is coarser.
 TEST(SetsOfPolygons, HaveACountOnAFieldThatIsFinerThanTheirMask) {
     const std::vector<PolygonRing> small{rectangle(0.49, 0.51, 0.49, 0.51)};
-    const PolygonSet set{.rings = small, .forbidden = true};
+    const PolygonSet set{.rings = small, .role = Role::outside};
     const Field field{9, 1, {1, 0, 0, 0, 0, 0, 0, 0, 0}};
     Request request;
     const Mask mask = draw_places({&set, 1}, request.domain, 0.4);

@@ -7,7 +7,7 @@
 
 #include "files/formats.h"
 #include "files/point_files.h"
-#include "files/read_sets.h"
+#include "files/read_points.h"
 #include "text.h"
 
 namespace lacuna::files {
@@ -57,9 +57,8 @@ TEST(EllipseColumns, AreReadAgain) {
     for (const char* const format : {"csv", "npy", "ply", "json"})
         for (const Dots* const some : {static_cast<const Dots*>(nullptr), &dots}) {
             const std::string bytes = text(format, set_of_ellipses(some));
-            const SetsOfFile file = find_format(format)->decode(bytes, "file");
-            ASSERT_EQ(file.sets.size(), 1U) << format;
-            EXPECT_EQ(file.sets.front(), kPoints) << format;
+            const PointsOfFile file = find_format(format)->decode(bytes, "file");
+            EXPECT_EQ(file.points, kPoints) << format;
             ASSERT_EQ(file.ellipses.size(), 2U) << format;
             EXPECT_EQ(file.ellipses[0].b, 0.125) << format;
             EXPECT_EQ(file.ellipses[0].angle, -1.5) << format;

@@ -8,7 +8,6 @@
 
 #include "files/point_files.h"
 #include "files/read_points.h"
-#include "files/read_sets.h"
 #include "text.h"
 
 namespace lacuna::files {
@@ -28,7 +27,7 @@ std::string encoded(const std::string& name, const Dots* dots = nullptr) {
 }
 
 std::vector<Point> decoded(const std::string& name, const std::string& bytes) {
-    return find_format(name)->decode(bytes, "file").sets.at(0);
+    return find_format(name)->decode(bytes, "file").points;
 }
 
 TEST(Layers, GivenCsvThenTheLastColumnNamesTheInk) {

@@ -11,7 +11,6 @@
 #include "files/point_files.h"
 #include "files/read_points.h"
 #include "files/read_points_bytes.h"
-#include "files/read_sets.h"
 
 namespace lacuna::files {
 namespace read_columns_test {
@@ -21,11 +20,11 @@ using Points = std::vector<Point>;
 const Points kTwo{{1, 2}, {3, 4}};
 
 Points read(const std::string& name, const std::string& bytes) {
-    return decode(bytes, format_of(name), "file");
+    return decode(bytes, format_of(name), "file").points;
 }
 
-SetsOfFile set_in(const std::string& name, const std::string& bytes) {
-    return decode_sets(bytes, format_of(name), "file");
+PointsOfFile set_in(const std::string& name, const std::string& bytes) {
+    return decode(bytes, format_of(name), "file");
 }
 
 TEST(ACsvFile, IsReadByTheNamesOfItsColumns) {

@@ -212,7 +212,7 @@ TEST(AHostileFile, IsReadOrRefusedButNeverBreaksTheReader) {
             for (unsigned k = random() % 4; k > 0 && !bytes.empty(); --k)
                 bytes[random() % bytes.size()] = static_cast<char>(random() % 256);
             try {
-                EXPECT_LE(decode(bytes, format, "file").size(), 100U);
+                EXPECT_LE(decode(bytes, format, "file").points.size(), 100U);
             } catch (const FileError& error) {
                 EXPECT_EQ(std::string_view(error.what()).find('\n'), std::string_view::npos)
                     << error.what();

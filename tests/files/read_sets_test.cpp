@@ -1,5 +1,5 @@
 // Given files of this program and of PSA, their sets are read; ambiguous files are refused.
-#include "files/read_sets.h"
+#include "files/read_points.h"
 
 #include <gtest/gtest.h>
 
@@ -19,9 +19,9 @@ class ReadSets : public testing::Test {
 protected:
     std::string path(const std::string& name) const { return folder_.path(name); }
 
-    SetsOfFile read(const std::string& name, std::string_view content) const {
+    PointsOfFile read(const std::string& name, std::string_view content) const {
         tests::write_file(path(name), std::string(content));
-        return read_sets(path(name));
+        return read_points(path(name));
     }
 
     // The error line without the file's path.
@@ -46,8 +46,7 @@ const Points kThree{{0.25, 0.5}, {0.125, 1e-3}, {0.75, 0.875}};
 TEST_F(ReadSets, OfThisProgramsFormatsAreWhatWasWritten) {
     for (const std::string name : {"a.txt", "a.csv", "a.npy", "a.ply", "a.json", "A.TXT"}) {
         const auto file = read(name, encode({kThree, {1, 1}, 0.1}, format_of(name)));
-        ASSERT_EQ(file.sets.size(), 1U) << name;
-        EXPECT_EQ(file.sets[0], kThree) << name;
+        EXPECT_EQ(file.points, kThree) << name;
     }
 }
 
@@ -61,7 +60,7 @@ TEST_F(ReadSets, OfAJsonFileComeWithItsDomainAndRadius) {
     // 0 stands for an unknown radius. Keys of other JSON objects are ignored.
     const auto unknown =
         read("a.json", R"({"radius": 0, "of": {"width": 3, "radius": 4}, "points": [[0.5, 0.5]]})");
-    EXPECT_EQ(unknown.sets[0], (Points{{0.5, 0.5}}));
+    EXPECT_EQ(unknown.points, (Points{{0.5, 0.5}}));
     EXPECT_FALSE(unknown.radius);
     EXPECT_FALSE(unknown.domain);
     EXPECT_FALSE(read("a.json", "[[0.5, 0.5]]").domain);
@@ -76,9 +75,8 @@ TEST_F(ReadSets, OfAJsonFileWithHalfADomainOrANegativeRadiusAreRefused) {
 
 TEST_F(ReadSets, OfPsasTextFilesBeginWithTheirCount) {
     const auto file = read("a.txt", "3\n0.25 0.5\n0.125 0.001\r\n 0.75\t0.875\n");
-    ASSERT_EQ(file.sets.size(), 1U);
-    EXPECT_EQ(file.sets[0], kThree);
-    EXPECT_EQ(read("a.txt", "0\n").sets[0].size(), 0U);
+    EXPECT_EQ(file.points, kThree);
+    EXPECT_EQ(read("a.txt", "0\n").points.size(), 0U);
 }
 
 TEST_F(ReadSets, OfPsasTextFilesWithAnotherCountAreRefused) {
@@ -96,14 +94,14 @@ TEST_F(ReadSets, OfATextFileThatCouldHoldSeveralAreRefused) {
     EXPECT_NE(refusal("a.txt", "0.25 0.5\n # \n\n0.5 0.5\n").find("a file for each set"),
               std::string::npos);
     // Words behind the #, and a # before or after all points, are comments.
-    EXPECT_EQ(read("a.txt", "#\n0.25 0.5\n# word\n0.125 0.001\n0.75 0.875\n#\n").sets[0], kThree);
+    EXPECT_EQ(read("a.txt", "#\n0.25 0.5\n# word\n0.125 0.001\n0.75 0.875\n#\n").points, kThree);
 }
 
 TEST_F(ReadSets, OfAnUnknownFormatAreRefusedWithAllThatAreKnown) {
     EXPECT_EQ(refusal("a.xyz", ""),
               " not a point file: the extension must be one of .txt .csv .npy .ply .json");
     EXPECT_NE(refusal("a.svg", "").find("a picture"), std::string::npos);
-    EXPECT_THROW(read_sets(path("missing.csv")), FileError);
+    EXPECT_THROW(read_points(path("missing.csv")), FileError);
 }
 
 }  // namespace read_sets_test

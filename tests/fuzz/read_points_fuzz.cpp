@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "files/point_files.h"
-#include "files/read_sets.h"
+#include "files/read_points.h"
 
 namespace {
 
@@ -27,11 +27,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const files::Format& format = formats[data[0] % formats.size()];
     if (format.decode == nullptr) return 0;
     try {
-        const files::SetsOfFile file =
+        const files::PointsOfFile file =
             format.decode({reinterpret_cast<const char*>(data) + 1, size - 1}, "file");
-        for (const std::vector<Point>& points : file.sets)
-            for (const Point& point : points)
-                require(std::isfinite(point.x) && std::isfinite(point.y));
+        for (const Point& point : file.points)
+            require(std::isfinite(point.x) && std::isfinite(point.y));
     } catch (const files::FileError& error) {
         const std::string_view what = error.what();
         require(what.starts_with("file:") && what.find('\n') == std::string_view::npos);

@@ -32,7 +32,7 @@ inline std::vector<std::string> backends() {
 struct Answer {
     std::vector<Result> sets;
     std::vector<Point> moved;
-    TileFrame frame;
+    TileRing frame;
     std::string refusal;
 };
 
@@ -43,7 +43,7 @@ inline std::vector<Point> moved_some(const Made& made, const Request& request,
                                      std::span<const Point> points) {
     RelaxOptions options = made.moves;
     options.domain = request.domain;
-    options.place = request.place;
+    options.run_on = request.run_on;
     return relax(points.first(std::min(points.size(), kMostToMove)),
                  made.sparse.importance.empty() ? nullptr : &made.sparse, options)
         .points;
@@ -52,12 +52,12 @@ inline std::vector<Point> moved_some(const Made& made, const Request& request,
 // sample() makes the sets of the reference, and sample_many() the others where there are several.
 inline Answer answer_of(const Made& made, const std::string& backend, std::uint32_t threads) {
     Request request = made.request;
-    request.place.backend = backend;
-    request.place.threads = threads;
+    request.run_on.backend = backend;
+    request.run_on.threads = threads;
     Answer answer;
     try {
         if (made.frame > 0) {
-            answer.frame = frame_of(request, made.frame);
+            answer.frame = tile_ring(request, made.frame);
             request.keep = answer.frame.points;
             request.keep_classes = answer.frame.classes;
         }
@@ -114,8 +114,8 @@ inline Answer answer_of_all(const Made& made, const std::vector<std::string>& na
                             told(got) + "\n  " + names.front() + " answers: " + told(expected));
         ++counts.comparisons;
     };
-    for (std::size_t i = 1; i < names.size(); ++i) compare(names[i], made.request.place.threads);
-    if (made.request.place.threads > 1) compare("cpu", 1);
+    for (std::size_t i = 1; i < names.size(); ++i) compare(names[i], made.request.run_on.threads);
+    if (made.request.run_on.threads > 1) compare("cpu", 1);
     return expected;
 }
 

@@ -91,7 +91,7 @@ inline std::string options_of(const Made& made) {
     }
     line.add("mode", name_of(request.mode));
     line.add("backend", "cpu");
-    line.add("threads", request.place.threads);
+    line.add("threads", request.run_on.threads);
     if (request.progressive) line.add("progressive");
     if (request.limit) line.add("limit", *request.limit);
     const Paper2011& paper = request.paper2011;

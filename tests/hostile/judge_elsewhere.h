@@ -58,7 +58,7 @@ inline void judge_elsewhere(const Made& made, const std::vector<std::string>& ba
             mask = draw_places(sets, domain, made.edge);
             request.mask = &mask;
         }
-        request.place.backend = backends[1 + random() % (backends.size() - 1)];
+        request.run_on.backend = backends[1 + random() % (backends.size() - 1)];
         made_there = sample(request);
     } catch (const BadRequest& error) {
         const std::string_view why = error.what();

@@ -28,8 +28,8 @@ struct Dots {
 
 inline Dots dots_of(const Drawing& drawing, const std::string& backend, std::uint32_t threads) {
     StippleOptions options = drawing.options;
-    options.request.place.backend = backend;
-    options.request.place.threads = threads;
+    options.request.run_on.backend = backend;
+    options.request.run_on.threads = threads;
     try {
         return {stipple(drawing.picture, options), ""};
     } catch (const BadRequest& error) {
@@ -53,7 +53,7 @@ inline Dots dots_of_all(const Drawing& drawing, const std::vector<std::string>& 
                    " threads draws something else: " + got.refusal);
         ++counts.comparisons;
     };
-    const std::uint32_t threads = drawing.options.request.place.threads;
+    const std::uint32_t threads = drawing.options.request.run_on.threads;
     for (const std::string& name : names)
         if (name == "cpu" ? threads > 1
                           : name != "reference" || expected.made.result.points.size() <= 150)

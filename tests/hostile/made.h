@@ -75,9 +75,9 @@ inline Row levels_of(const Made& made) {
     const auto level = [](auto number) { return static_cast<std::uint8_t>(number); };
     const double aspect = std::max(request.domain.width / request.domain.height,
                                    request.domain.height / request.domain.width);
-    const auto has = [&](const char* option) {
+    const auto has = [&](Role role) {
         return level(std::any_of(made.polygons.begin(), made.polygons.end(),
-                                 [&](const PolygonSet& set) { return set.option == option; }));
+                                 [&](const PolygonSet& set) { return set.role == role; }));
     };
     Row row(kSampling.levels.size());
     row[kMode] = level(request.mode);
@@ -86,10 +86,10 @@ inline Row levels_of(const Made& made) {
     row[kMask] = !request.classes.masks.empty()                     ? 2
                  : request.mask != nullptr && made.polygons.empty() ? 1
                                                                     : 0;
-    row[kInside] = has("inside");
-    row[kOutside] = has("outside");
-    row[kAvoid] = has("avoid");
-    row[kNear] = has("near");
+    row[kInside] = has(Role::inside);
+    row[kOutside] = has(Role::outside);
+    row[kAvoid] = has(Role::avoid);
+    row[kNear] = has(Role::near);
     row[kBorder] = request.border > 0 ? 1 : 0;
     row[kKeep] = request.keep.empty() || made.frame > 0 ? 0 : made.neighbours.empty() ? 1 : 2;
     row[kEdges] = request.domain.wraps() ? 1 : 0;
@@ -99,7 +99,7 @@ inline Row levels_of(const Made& made) {
     row[kLimit] = request.limit ? 1 : 0;
     row[kSeeds] = made.seeds.size() > 1 ? 1 : 0;
     row[kFrame] = made.frame > 0 ? 1 : 0;
-    row[kThreads] = request.place.threads > 1 ? 1 : 0;
+    row[kThreads] = request.run_on.threads > 1 ? 1 : 0;
     row[kRounds] = request.paper2011.round_size == 0    ? 0
                    : request.paper2011.round_size == 1  ? 1
                    : request.paper2011.round_size <= 42 ? 2
@@ -131,7 +131,7 @@ inline std::string describe(const Made& made) {
     out << ", " << made.keep.size() << " kept, " << made.neighbours.size() << " outside, limit "
         << request.limit.value_or(0) << ", round size " << request.paper2011.round_size << ", m "
         << request.paper2011.lines_per_radius.value_or(0) << ", seed " << request.seed
-        << ", threads " << request.place.threads;
+        << ", threads " << request.run_on.threads;
     return out.str();
 }
 

@@ -61,7 +61,7 @@ private:
         request.seed = choose_.random()();
         made.seeds = {request.seed};
         if (is(kSeeds, "several")) made.seeds.push_back(choose_.random()());
-        request.place.threads = is(kThreads, "one") ? 1 : 2 + choose_.below(3);
+        request.run_on.threads = is(kThreads, "one") ? 1 : 2 + choose_.below(3);
         if (is(kRounds, "of one")) request.paper2011.round_size = 1;
         if (is(kRounds, "small")) request.paper2011.round_size = 2 + choose_.below(40);
         if (is(kRounds, "large"))
@@ -121,7 +121,7 @@ private:
     }
 
     static bool has_spare_pixels(Request request) {
-        request.place.backend = "cpu";
+        request.run_on.backend = "cpu";
         *request.count *= 2;
         try {
             sample(request);
@@ -285,8 +285,7 @@ private:
         const double typical = std::sqrt(0.7 * area / most_points());
         made.edge = std::max(typical * std::pow(2, -choose_.in(1, 6)), std::sqrt(area) / 300);
         const auto add = [&](std::vector<PolygonRing> rings, PolygonSet set) {
-            if (domain.wraps() && (set.option == "avoid" || set.option == "near"))
-                add_images(domain, rings);
+            if (domain.wraps() && has_distance(set.role)) add_images(domain, rings);
             made.rings.push_back(std::move(rings));
             set.rings = made.rings.back();
             made.polygons.push_back(std::move(set));
@@ -296,18 +295,13 @@ private:
         };
         const auto some = [&] { return typical * choose_.power(0.1, 2); };
         for (std::uint32_t more = 1 + choose_.below(2); more != 0; --more) {
-            if (is(kInside, "yes"))
-                add(next(), {.distance = choose_.one_in(2) ? 0 : some(), .option = "inside"});
+            if (is(kInside, "yes")) add(next(), {.distance = choose_.one_in(2) ? 0 : some()});
             if (is(kOutside, "yes"))
-                add(next(), {.forbidden = true,
-                             .distance = choose_.one_in(2) ? 0 : some(),
-                             .option = "outside"});
+                add(next(), {.role = Role::outside, .distance = choose_.one_in(2) ? 0 : some()});
             if (is(kAvoid, "yes"))
-                add(random_lines(choose_, domain),
-                    {.forbidden = true, .distance = some(), .option = "avoid"});
+                add(random_lines(choose_, domain), {.role = Role::avoid, .distance = some()});
             if (is(kNear, "yes"))
-                add(random_lines(choose_, domain),
-                    {.distance = 4 * some(), .near = true, .option = "near"});
+                add(random_lines(choose_, domain), {.role = Role::near, .distance = 4 * some()});
         }
         made.mask = draw_mask(made.polygons, request.domain, made.edge);
         request.mask = &made.mask;
@@ -316,7 +310,7 @@ private:
 
     // A set of mode exact with fewer points than the one that is asked for, or of the same size.
     Result trial_of(Request request) {
-        request.place.backend = "cpu";
+        request.run_on.backend = "cpu";
         request.mode = Mode::exact;
         request.on_pixels.reset();
         request.seed = choose_.random()();
@@ -411,7 +405,7 @@ private:
     }
 
     static bool is_fair(Request request, const std::vector<std::uint64_t>& seeds) {
-        request.place.backend = "cpu";
+        request.run_on.backend = "cpu";
         try {
             for (const std::uint64_t seed : seeds) {
                 request.seed = seed;

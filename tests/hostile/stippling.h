@@ -141,7 +141,7 @@ public:
         choose_pens();
         made_.options.request.seed = choose_.below(1000);
         line_.add("seed", made_.options.request.seed);
-        made_.options.request.place.threads = is(kWorkers, "one") ? 1 : 2 + choose_.below(3);
+        made_.options.request.run_on.threads = is(kWorkers, "one") ? 1 : 2 + choose_.below(3);
         if (!is(kStart, "points") && !is(kAlong, "yes")) made_.words = line_.text();
         return made_;
     }

@@ -12,10 +12,7 @@ inline Places places_of(std::span<const PolygonSet> sets, double edge) {
     Places places{.edge = edge};
     for (const PolygonSet& set : sets)
         places.outlines.push_back({.polygons = {{set.rings.begin(), set.rings.end()}, {}},
-                                   .role = set.near                ? Role::near
-                                           : set.option == "avoid" ? Role::avoid
-                                           : set.forbidden         ? Role::outside
-                                                                   : Role::inside,
+                                   .role = set.role,
                                    .distance = set.distance});
     return places;
 }

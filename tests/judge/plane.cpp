@@ -143,15 +143,15 @@ double depth_in(std::span<const PolygonSet> sets, Point at) {
     bool has_inside = false, has_near = false;
     for (const PolygonSet& set : sets) {
         const double own = depth_in(set.rings, at);
-        if (set.near) {
+        const bool forbidden = is_forbidden(set.role);
+        if (set.role == Role::near) {
             has_near = true;
             near_any = std::max(near_any, set.distance - std::abs(own));
             continue;
         }
-        if (set.forbidden) depth = std::min(depth, -own);
-        if (set.forbidden && set.distance > 0)
-            depth = std::min(depth, std::abs(own) - set.distance);
-        if (set.forbidden) continue;
+        if (forbidden) depth = std::min(depth, -own);
+        if (forbidden && set.distance > 0) depth = std::min(depth, std::abs(own) - set.distance);
+        if (forbidden) continue;
         has_inside = true;
         in_any = std::max(in_any, own - set.distance);
     }

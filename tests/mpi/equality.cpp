@@ -45,7 +45,7 @@ bool is_same(const Request& request, const std::string& path, int& ranks_used) {
         sink.put_in_place();
         if (rank == 0) {
             Request alone = request;
-            alone.place.backend = "cpu";
+            alone.run_on.backend = "cpu";
             const Result expected = sample(alone);
             same = sha256 == files::sha256_of(expected.points) &&
                    made.outcome.samples == expected.points.size() &&
@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
     int ranks_used = 0;
     const std::vector<Request> requests = tests::requests_for_ranks();
     const auto compare = [&](Request request, const std::string& backend, std::size_t number) {
-        request.place.backend = backend;
+        request.run_on.backend = backend;
         ++compared;
         if (is_same(request, path, ranks_used)) return;
         ++different;

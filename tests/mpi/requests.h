@@ -27,7 +27,7 @@ inline std::vector<Request> requests_for_ranks() {
                 request.domain.boundary = boundary;
                 request.seed = 1000 * kind + requests.size();
                 request.radius = radius;
-                request.place.threads = 1;
+                request.run_on.threads = 1;
                 if (kind == 1) request.limit = 1 + requests.size() * 7;
                 if (kind == 2) request.paper2011.lines_per_radius = 2;
                 if (kind == 3) request.paper2011.round_size = 40;

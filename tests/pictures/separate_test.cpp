@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "drawing/dot_size.h"
 #include "pictures/image.h"
 #include "refusal.h"
+#include "stipple/dot_size.h"
 
 namespace lacuna::pictures {
 namespace separate_test {
@@ -46,7 +46,8 @@ Numbers printed(const std::vector<Ink>& inks, const std::vector<double>& amounts
         const auto its = std::span(dots).subspan(first, counts[k]);
         first += counts[k];
         const double radius =
-            drawing::dot_diameters(its, fields[k], {1, 1}, drawing::Spread::even)[0] / 2 * kSide;
+            stippling::dot_diameters(its, fields[k], {1, 1}, stippling::Spread::even)[0] / 2 *
+            kSide;
         std::vector<bool> covered(sheet.size());
         for (const Point& dot : its) {
             const double x = dot.x * kSide;

@@ -34,7 +34,7 @@ TEST(CellsPlan, CountsTheStepsOfTheHeightToo) {
 TEST(CellsPlan, SaysHowMuchMemoryASetNeeds) {
     const Field field = tests::constant_field(3, 2);
     Request request = cells_request(field);
-    request.place.memory_limit_bytes = 1'000'000;
+    request.run_on.memory_limit_bytes = 1'000'000;
     request.scale = 0.001;
     std::string message = refusal(request);
     EXPECT_EQ(message.find("scale 0.001: needs about 0.05"), 0u) << message;

@@ -65,7 +65,7 @@ RC_GTEST_PROP(Plan, KeepsEveryPromiseOfItsFields, ()) {
     const double shorter = request.domain.shorter_side();
     request.radius = std::max(shorter * *rc::gen::inRange(1, 10001) / 10000, longer * 2e-5);
     request.limit = 1;
-    request.place.memory_limit_bytes = std::uint64_t{1} << 50;
+    request.run_on.memory_limit_bytes = std::uint64_t{1} << 50;
     if (*request.radius > shorter) return;
     move_corner(request.domain);
 
@@ -99,7 +99,7 @@ RC_GTEST_PROP(Plan, RoundsDistancesInTheUsersFavour, ()) {
     request.radius = request.domain.shorter_side() / *rc::gen::inRange(2, 2000);
     // Less is refused.
     if (*request.radius < std::ldexp(request.domain.longer_side(), -20)) return;
-    request.place.memory_limit_bytes = std::uint64_t{1} << 50;
+    request.run_on.memory_limit_bytes = std::uint64_t{1} << 50;
     move_corner(request.domain);
     const bool has_field = request.mode == Mode::exact && *rc::gen::inRange(0, 4) == 0;
     if (has_field) request.border = request.domain.shorter_side() * 1e-6;
@@ -120,7 +120,7 @@ std::string refusal(const Request& request) {
 
 TEST(Plan, SaysHowMuchMemoryASmallRadiusNeeds) {
     Request request = with_radius(1e-5);
-    request.place.memory_limit_bytes = 1'000'000'000;
+    request.run_on.memory_limit_bytes = 1'000'000'000;
     const std::string message = refusal(request);
     EXPECT_NE(message.find("radius 1e-05: needs about "), std::string::npos) << message;
     EXPECT_NE(message.find(" GB of memory, more than the 1 GB there is"), std::string::npos);
@@ -129,11 +129,11 @@ TEST(Plan, SaysHowMuchMemoryASmallRadiusNeeds) {
 
 TEST(Plan, NeedsLessMemoryForFewPoints) {
     Request request = with_radius(2e-5);
-    request.place.memory_limit_bytes = 100'000'000'000;
+    request.run_on.memory_limit_bytes = 100'000'000'000;
     EXPECT_NE(refusal(request).find("needs about"), std::string::npos);
     request.limit = 1000;
     EXPECT_EQ(refusal(request), "accepted");
-    request.place.memory_limit_bytes = 1'000'000'000;  // a grid of 5e9 cells does not fit
+    request.run_on.memory_limit_bytes = 1'000'000'000;  // a grid of 5e9 cells does not fit
     EXPECT_NE(refusal(request).find("needs about 4"), std::string::npos) << refusal(request);
 }
 
@@ -142,10 +142,10 @@ TEST(Plan, RefusesRoundsThatNoMemoryHolds) {
     request.paper2011.round_size = std::uint64_t{1} << 32;
     EXPECT_EQ(refusal(request), "round-size 4294967296: must be at most 2147483648");
     request.paper2011.round_size = 100'000'000;
-    request.place.memory_limit_bytes = 1'000'000'000;
+    request.run_on.memory_limit_bytes = 1'000'000'000;
     EXPECT_EQ(refusal(request).find("round-size 100000000: needs about 9.6 GB of memory"), 0u)
         << refusal(request);
-    request.place.memory_limit_bytes = 10'000'000'000;
+    request.run_on.memory_limit_bytes = 10'000'000'000;
     EXPECT_EQ(refusal(request), "accepted");
 }
 

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "backends/radius_field_requests.h"
+#include "plan/class_copies.h"
 #include "plan/first_boxes.h"
 #include "plan/make_plan.h"
 #include "plan/plan.h"
-#include "plan/sheets.h"
 
 namespace {
 
@@ -38,7 +38,7 @@ TEST(PixelAxis, CutsItsLengthIntoPixelsToAUnit) {
 }
 
 // docs/exact.md, "Why the set is maximal".
-TEST(Sheets, RoundDistancesUpByOneAndAHalfUnitsAtMost) {
+TEST(ClassCopies, RoundDistancesUpByOneAndAHalfUnitsAtMost) {
     std::mt19937_64 random(8);
     const auto in = [&](double low, double high) {
         return low + (high - low) * std::generate_canonical<double, 53>(random);
@@ -47,12 +47,12 @@ TEST(Sheets, RoundDistancesUpByOneAndAHalfUnitsAtMost) {
         const double ratio = 1 + std::pow(10, in(-10, 3.6));
         const auto radius = static_cast<std::uint32_t>(std::pow(2, in(9, 30)) / ratio) + 1;
         const std::vector distances{1.0, 0.0, 0.0, ratio};
-        const Sheets sheets(2, distances, std::vector{1.0, 1.0}, radius);
-        EXPECT_EQ(portable::times_factor(radius, sheets.factor(0, 0)), radius);
-        EXPECT_EQ(sheets.factor(0, 1), 0U);
+        const ClassCopies copies(2, distances, std::vector{1.0, 1.0}, radius);
+        EXPECT_EQ(portable::times_factor(radius, copies.factor(0, 0)), radius);
+        EXPECT_EQ(copies.factor(0, 1), 0U);
         const double exact = radius * ratio;
         const auto rounded =
-            static_cast<double>(portable::times_factor(radius, sheets.factor(1, 1)));
+            static_cast<double>(portable::times_factor(radius, copies.factor(1, 1)));
         ASSERT_GE(rounded, exact * (1 - 0x1p-50)) << radius << " times " << ratio;
         ASSERT_LT(rounded, exact + 1.5001) << radius << " times " << ratio;
     }

@@ -19,7 +19,7 @@ using namespace lacuna;
 Outcome made_alone(const Request& request) {
     Observer nobody;
     Request alone = request;
-    alone.place.backend = "cpu";
+    alone.run_on.backend = "cpu";
     return run_on_backend(alone, make_plan(request), nobody).outcome;
 }
 

@@ -54,10 +54,10 @@ TEST_P(Gaussian, gives_the_spots_of_the_reference) {
         options.gaussian = kSteps;
         const GaussianField field = make_gaussian(scene.points.size(), options);
         const std::vector<Spot> start = spots_of(scene.points, field, options, nobody_asks);
-        options.place.backend = "reference";
-        const auto reference = make_gaussian_backend(options.place, field, start).backend;
-        options.place.backend = GetParam();
-        const auto backend = make_gaussian_backend(options.place, field, start).backend;
+        options.run_on.backend = "reference";
+        const auto reference = make_gaussian_backend(options.run_on, field, start).backend;
+        options.run_on.backend = GetParam();
+        const auto backend = make_gaussian_backend(options.run_on, field, start).backend;
         EXPECT_TRUE(descended(*reference, kSteps) == descended(*backend, kSteps)) << scene;
     }
 }
@@ -74,7 +74,7 @@ TEST_P(Gaussian, is_asked_whether_to_go_on_in_each_step) {
     RelaxOptions options = on(1, 1, Boundary::torus);
     options.iterations = 3;
     options.gaussian = 20;
-    options.place.backend = GetParam();
+    options.run_on.backend = GetParam();
     EXPECT_THROW(relax(random_points(500, 1, 1, 1), nullptr, options, stop), Cancelled);
     EXPECT_EQ(stop.rounds, 7u);
 }

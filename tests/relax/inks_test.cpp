@@ -80,7 +80,7 @@ std::vector<Picture> pictures() {
 
 InkDots placed(const Picture& picture, const std::string& backend, std::uint64_t seed = 0) {
     RelaxOptions options = picture.options;
-    options.place.backend = backend;
+    options.run_on.backend = backend;
     return place_inks(picture.parts(), seed, options);
 }
 
@@ -89,8 +89,8 @@ class Inks : public OnBackend {};
 TEST_P(Inks, AreTheSameAsOnTheReferenceWithAnyThreads) {
     for (Picture picture : pictures()) {
         const std::vector<Point> expected = placed(picture, "reference").points;
-        for (picture.options.place.threads = 0; picture.options.place.threads < 3;
-             ++picture.options.place.threads)
+        for (picture.options.run_on.threads = 0; picture.options.run_on.threads < 3;
+             ++picture.options.run_on.threads)
             EXPECT_EQ(placed(picture, GetParam()).points, expected) << picture;
     }
     EXPECT_NE(placed(pictures()[0], GetParam(), 1).points,

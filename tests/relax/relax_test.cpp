@@ -27,10 +27,10 @@ INSTANTIATE_TEST_SUITE_P(All, Relax, kRelaxBackends, name_of_parameter);
 TEST_P(Relax, gives_the_points_of_the_reference_with_any_threads) {
     for (Scene scene : scenes()) {
         scene.options.iterations = 5;
-        scene.options.place.backend = "reference";
+        scene.options.run_on.backend = "reference";
         const Relaxed expected = relax(scene.points, scene.field_or_null(), scene.options);
         for (const std::uint32_t threads : {0U, 1U, 3U, 8U}) {
-            scene.options.place = {.backend = GetParam(), .threads = threads};
+            scene.options.run_on = {.backend = GetParam(), .threads = threads};
             const Relaxed relaxed = relax(scene.points, scene.field_or_null(), scene.options);
             EXPECT_EQ(relaxed.points, expected.points) << scene << ", " << threads << " threads";
             EXPECT_EQ(relaxed.backend, GetParam());
@@ -40,7 +40,7 @@ TEST_P(Relax, gives_the_points_of_the_reference_with_any_threads) {
 
 TEST_P(Relax, leaves_no_point_outside_of_the_domain_or_on_white) {
     for (Scene scene : scenes()) {
-        scene.options.place.backend = GetParam();
+        scene.options.run_on.backend = GetParam();
         for (const std::uint32_t iterations : {1u, 4u, 15u}) {
             scene.options.iterations = iterations;
             const Relaxed relaxed = relax(scene.points, scene.field_or_null(), scene.options);
@@ -55,7 +55,7 @@ TEST_P(Relax, leaves_no_point_outside_of_the_domain_or_on_white) {
 TEST_P(Relax, takes_points_on_one_spot_apart) {
     for (const std::size_t which : {2u, 3u}) {
         Scene scene = scenes()[which];
-        scene.options.place.backend = GetParam();
+        scene.options.run_on.backend = GetParam();
         scene.options.iterations = 60;
         const Relaxed relaxed = relax(scene.points, nullptr, scene.options);
         EXPECT_GT(judge::relative_distance(scene.options.domain, relaxed.points), 0.5) << scene;
@@ -67,7 +67,7 @@ TEST_P(Relax, evens_shares_out_on_a_torus) {
     request.count = 1024;
     request.domain.boundary = Boundary::torus;
     RelaxOptions options = on(1, 1, Boundary::torus);
-    options.place.backend = GetParam();
+    options.run_on.backend = GetParam();
     options.measure = true;
     const std::vector<Point> start = sample(request).points;
     options.iterations = 10;
@@ -92,7 +92,7 @@ TEST_P(Relax, is_asked_whether_to_go_on_and_stops) {
         std::uint64_t iterations = 0;
     } stop;
     RelaxOptions options = on(1, 1, Boundary::torus);
-    options.place.backend = GetParam();
+    options.run_on.backend = GetParam();
     options.iterations = 20;
     EXPECT_THROW(relax(random_points(2000, 1, 1, 1), nullptr, options, stop), Cancelled);
     EXPECT_EQ(stop.iterations, 3u);
@@ -113,7 +113,7 @@ TEST_P(Relax, is_asked_before_the_first_iteration_too) {
         int at_;
     };
     RelaxOptions options = on(1, 1, Boundary::box);
-    options.place.backend = GetParam();
+    options.run_on.backend = GetParam();
     std::vector<Point> points = random_points(200'000, 1, 1, 1);
     points.resize(201'000, {0.5, 0.5});  // a crowd, which must spread
     for (int at = 1; at <= 50; ++at) {

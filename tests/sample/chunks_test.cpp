@@ -50,7 +50,7 @@ Proof proof_of(const Request& request, const Result& set) {
 Request uniform(double radius) {
     Request request;
     request.radius = radius;
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     return request;
 }
 
@@ -58,7 +58,7 @@ Request chunk_of_classes() {
     Request request;
     request.classes.names = {"trees", "bushes", "grass"};
     request.classes.distances = distances_by_sum(std::vector{0.06, 0.03, 0.012});
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     return request;
 }
 

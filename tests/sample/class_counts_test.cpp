@@ -24,7 +24,7 @@ Request wood() {
     Request request;
     request.classes.names = {"trees", "bushes", "grass"};
     request.classes.distances = distances_by_sum(std::vector<double>{0.04, 0.02, 0.008});
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     request.seed = 5;
     return request;
 }
@@ -74,7 +74,7 @@ TEST(CountsOfClasses, ThatKeptPointsHaveAlreadyLeaveTheSetItsDistances) {
     EXPECT_EQ(set.radius, 0.016);
     EXPECT_EQ(set.backend, "cpu");
     EXPECT_FALSE(set.maximal);
-    request.place.backend = "nosuch";
+    request.run_on.backend = "nosuch";
     EXPECT_THROW(sample(request), BadRequest);
 }
 
@@ -112,7 +112,7 @@ TEST(CountsOfClasses, AreProvenAndRefuted) {
     claim = claim_of(request, set);
     claim.classes.counts = {10};
     EXPECT_EQ(tests::refusal_of([&] { prove(set.points, claim); }),
-              "class 1 numbers of points: must be 3, one for each class");
+              "class 1 numbers of points: must be one for each of the 3 classes");
 }
 
 }  // namespace

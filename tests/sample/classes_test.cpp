@@ -31,7 +31,7 @@ Request request_of(std::vector<double> distances, std::vector<double> weights = 
         request.classes.names.push_back("class-" + std::to_string(i));
     request.classes.distances = std::move(distances);
     request.classes.weights = std::move(weights);
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     return request;
 }
 

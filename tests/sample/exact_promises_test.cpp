@@ -18,7 +18,7 @@ Request request_of(double radius, Mode mode = Mode::exact) {
     Request request;
     request.mode = mode;
     request.radius = radius;
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     return request;
 }
 

@@ -33,7 +33,7 @@ TEST(ASetWithARadiusField, KeepsWhatIsPromisedOnEveryKindOfRequest) {
     for (FieldRequest made : tests::radius_field_requests()) {
         SCOPED_TRACE(made.name);
         if (made.name.find("threads share") != std::string::npos) continue;  // too many for pairs
-        made.request.place.backend = "cpu";
+        made.request.run_on.backend = "cpu";
         const Result result = sample(made.request);
         EXPECT_EQ(result.maximal, !made.request.limit);
         expect_that_promises_are_kept(made, result);

@@ -22,8 +22,8 @@ Request request_of(double radius, std::uint32_t threads = 0) {
     Request request;
     request.radius = radius;
     request.domain.boundary = Boundary::torus;
-    request.place.backend = "cpu";
-    request.place.threads = threads;
+    request.run_on.backend = "cpu";
+    request.run_on.threads = threads;
     return request;
 }
 
@@ -88,7 +88,7 @@ TEST(SampleMany, RefusesWhatSampleRefuses) {
     EXPECT_THROW(sample_many(request_of(-1), seeds, take), BadRequest);
     EXPECT_THROW(sample_many(request_of(0.1, 1025), seeds, take), BadRequest);
     Request elsewhere = request_of(0.1);
-    elsewhere.place.backend = "abacus";
+    elsewhere.run_on.backend = "abacus";
     EXPECT_THROW(sample_many(elsewhere, seeds, take), BadRequest);
     Request snapped = request_of(0.1);
     snapped.paper2011.snap = true;

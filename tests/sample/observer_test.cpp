@@ -71,8 +71,8 @@ Request request_of(Mode mode, double radius, std::uint32_t threads) {
     Request request;
     request.mode = mode;
     request.radius = radius;
-    request.place.threads = threads;
-    request.place.backend = "cpu";
+    request.run_on.threads = threads;
+    request.run_on.backend = "cpu";
     return request;
 }
 

@@ -89,7 +89,7 @@ TEST(Progressive, IsRefusedAtOnceWhereItWouldTakeTooMuch) {
     Request request = progressive(1'000'000'000'000);
     EXPECT_TRUE(tests::refusal_of([&] { sample(request); }).starts_with("count 1000000000000: "));
     request = progressive(2'000'000);
-    request.place.memory_limit_bytes = 100'000'000;
+    request.run_on.memory_limit_bytes = 100'000'000;
     EXPECT_TRUE(tests::refusal_of([&] { sample(request); }).starts_with("count 2000000: needs"));
     request.count.reset();
     request.radius = 1e-9;

@@ -37,7 +37,7 @@ TEST(OneEllipseEverywhere, ProvesWhatDisksProveInASqueezedPicture) {
                           seed % 2 == 0 ? Boundary::torus : Boundary::box};
         request.radius = 0.12;
         request.seed = seed;
-        request.place.backend = "cpu";
+        request.run_on.backend = "cpu";
         std::vector<Point> disks = sample(request).points;
         if (seed % 4 < 2) disks = without(disks, seed);
         OnField made{{1, 1, {1}, {{root * root, 0}}}, 0.12, request.domain};

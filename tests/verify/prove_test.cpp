@@ -18,7 +18,7 @@ TEST(Prove, OfAMaximalSetOfTheSamplersFindsAllThatIsPromised) {
     Request request;
     request.radius = 0.05;
     request.domain.boundary = Boundary::torus;
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     const Result result = sample(request);
     Claim claim;
     claim.radius = 0.05;
@@ -33,7 +33,7 @@ TEST(Prove, OfALargeMaximalSetHoldsAndWithoutOneOfItsPointsDoesNot) {
     Request request;
     request.radius = 0.001;
     request.domain.boundary = Boundary::torus;
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     std::vector<Point> points = sample(request).points;
     EXPECT_GT(points.size(), 690'000U);
     Claim claim;

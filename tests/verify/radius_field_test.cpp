@@ -165,11 +165,11 @@ TEST(SeveralSetsOfPolygons, AllowPointsInAnyAndInNoneThatIsForbidden) {
     EXPECT_NEAR(proof.largest_gap.x, 0.55, 0.06);
     EXPECT_NEAR(proof.largest_gap.y, 0.55, 0.06);
 
-    const std::vector<PolygonSet> three{{low}, {high}, {hole, true}};
+    const std::vector<PolygonSet> three{{low}, {high}, {hole, Role::outside}};
     claim.places = tests::places_of(three, 0);
     EXPECT_TRUE(forbidden({0.5, 0.5}));
     EXPECT_FALSE(forbidden({0.42, 0.5}));
-    const std::vector<PolygonSet> only_hole{{hole, true}};
+    const std::vector<PolygonSet> only_hole{{hole, Role::outside}};
     claim.places = tests::places_of(only_hole, 0);
     EXPECT_TRUE(forbidden({0.5, 0.5}));
     EXPECT_FALSE(forbidden({0.1, 0.9}));

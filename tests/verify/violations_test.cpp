@@ -113,7 +113,7 @@ TEST(ASnappedSet, KeepsItsDistancesAndWhereItHasAHoleTheHoleIsReal) {
         request.radius = 0.02;
         request.paper2011.snap = true;
         request.domain.boundary = boundary;
-        request.place.backend = "cpu";
+        request.run_on.backend = "cpu";
         const bool torus = boundary == Boundary::torus;
         const std::vector<Point> points = sample(request).points;
         const Proof proof = check(points, 1, 1, torus, *request.radius);

@@ -43,7 +43,7 @@ public:
     virtual std::uint32_t width() const { return round.plan.strip_width; }
     virtual std::span<const std::uint32_t> widths() const { return {}; }
     // With classes, as in Round.
-    virtual std::span<const std::uint32_t> sheet_ends() const { return {}; }
+    virtual std::span<const std::uint32_t> copy_ends() const { return {}; }
 
     // Candidates, statuses and what the mode has. A snapshot shows the round's samples in the
     // neighbour index only after the round's last verb: `left_out` are samples to leave out.

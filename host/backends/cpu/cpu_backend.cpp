@@ -57,7 +57,7 @@ public:
         find_samples();
         if (round_.plan.tells_orders) find_orders();
         return {samples_,        survivors(), bins_->free_lengths, bins_->width(),
-                bins_->widths(), orders_,     bins_->begins,       bins_->sheet_ends()};
+                bins_->widths(), orders_,     bins_->begins,       bins_->copy_ends()};
     }
     std::vector<Candidate> located() override { return round_.candidates; }
 

@@ -95,12 +95,12 @@ public:
     }
     bool may_settle(const Candidate& at) const {
         if (zone_ == nullptr) return true;
-        const Sheets& sheets = lists_.plan().field().sheets;
+        const ClassCopies& copies = lists_.plan().field().copies;
         const Box& own = lists_.first().nodes[zone_->nodes.front()].box;
         const std::uint32_t reach = portable::times_factor(lists_.sized(at).radius,
-                                                           sheets.greatest_factor(sheets.of(at.x)));
-        const std::uint32_t x = sheets.x_on_sheet(at.x);
-        const std::uint32_t own_x = sheets.x_on_sheet(own.x);
+                                                           copies.greatest_factor(copies.of(at.x)));
+        const std::uint32_t x = copies.x_on_copy(at.x);
+        const std::uint32_t own_x = copies.x_on_copy(own.x);
         return x - own_x >= reach && own_x + own.width - x > reach && at.y - own.begin >= reach &&
                own.end - at.y > reach;
     }

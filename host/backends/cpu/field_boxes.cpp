@@ -23,7 +23,7 @@ public:
         begins = first_of(plan).begins;
         free_lengths = std::move(first.lengths);
         widths_ = std::move(first.widths);
-        sheet_ends_ = std::move(first.sheet_ends);
+        copy_ends_ = std::move(first.copy_ends);
     }
 
     void set_free() override {
@@ -38,7 +38,7 @@ public:
     void subtract() override { throw std::logic_error("a radius field is refined from the start"); }
 
     std::span<const std::uint32_t> widths() const override { return widths_; }
-    std::span<const std::uint32_t> sheet_ends() const override { return sheet_ends_; }
+    std::span<const std::uint32_t> copy_ends() const override { return copy_ends_; }
 
     // The candidates are in the order of their draws, and do not have their blocks.
     Snapshot snapshot(std::span<const Sample> left_out) const override {
@@ -62,18 +62,18 @@ private:
             for (const BlockBox& box : boxes_[region]) widths_[bin++] = box.at.width;
         });
         const FirstBoxes& first = first_of(round.plan);
-        const Sheets& sheets = round.plan.field().sheets;
-        for (std::uint32_t sheet = 0; sheet < sheet_ends_.size(); ++sheet) {
+        const ClassCopies& copies = round.plan.field().copies;
+        for (std::uint32_t copy = 0; copy < copy_ends_.size(); ++copy) {
             std::uint32_t region = 0;
             while (region < round.columns &&
-                   sheets.of(first.nodes[first.regions[region]].box.x) <= sheet)
+                   copies.of(first.nodes[first.regions[region]].box.x) <= copy)
                 ++region;
-            sheet_ends_[sheet] = begins[region];
+            copy_ends_[copy] = begins[region];
         }
     }
 
     std::vector<std::uint32_t> widths_;  // of each bin
-    std::vector<std::uint32_t> sheet_ends_;
+    std::vector<std::uint32_t> copy_ends_;
 };
 
 template <typename Rule>
@@ -90,7 +90,7 @@ private:
 }  // namespace
 
 std::unique_ptr<Bins> make_field_boxes(const Plan& plan, Workers& workers) {
-    if (plan.field().sheets.are_several())
+    if (plan.field().copies.are_several())
         return std::make_unique<FieldBoxesBy<Classes>>(plan, workers);
     if (plan.field().radius_field->has_ellipses())
         return std::make_unique<FieldBoxesBy<Ellipses>>(plan, workers);

@@ -109,11 +109,11 @@ private:
     // Whether the nearest way from a sample to a box in the node may cross an edge of the torus.
     bool may_wrap(std::uint32_t node) const {
         if (plan().period_x == 0) return false;
-        const Sheets& sheets = plan().field().sheets;
+        const ClassCopies& copies = plan().field().copies;
         const auto& [box, greatest, next, first, whole] = lists_.first().nodes[node];
-        const std::uint32_t x = sheets.x_on_sheet(box.x);
+        const std::uint32_t x = copies.x_on_copy(box.x);
         const std::uint32_t most =
-            portable::times_factor(greatest, sheets.greatest_factor(sheets.of(box.x)));
+            portable::times_factor(greatest, copies.greatest_factor(copies.of(box.x)));
         return x < most || plan().width - (x + box.width) < most || box.begin < most ||
                plan().height - box.end < most;
     }
@@ -181,8 +181,8 @@ public:
 
     std::size_t find_near(std::span<const BlockBox> boxes) {
         const std::size_t count = ListRule::find_near(boxes);
-        sheet_ = sheets_.of(boxes.front().at.x);
-        seen_.see(sheets_, sheet_, near_, even_radius_ != 0 ? even_radius_ : kAnyRadius);
+        copy_ = copies_.of(boxes.front().at.x);
+        seen_.see(copies_, copy_, near_, even_radius_ != 0 ? even_radius_ : kAnyRadius);
         return count;
     }
     unsigned find_touching(const BoxBatch& boxes, std::size_t count, Touching& touching) {
@@ -195,14 +195,14 @@ public:
         std::uint64_t limit = seen.radius;
         if (even_radius_ == 0)
             limit = portable::times_factor(std::min(near_.radius[k], radius_of(i, box)),
-                                           sheets_.factor(sheet_, sheets_.of(near_.x[k])));
+                                           copies_.factor(copy_, copies_.of(near_.x[k])));
         return disk_chord({seen.x, seen.y}, limit * limit, box, period_x());
     }
 
 private:
-    const Sheets& sheets_ = plan().field().sheets;
-    std::uint32_t sheet_ = 0;  // of the block
-    SizedList seen_;           // the samples as the sheet sees them
+    const ClassCopies& copies_ = plan().field().copies;
+    std::uint32_t copy_ = 0;  // of the block
+    SizedList seen_;          // the samples as the copy sees them
 };
 
 // Two samples conflict if each lies in the other's ellipse. Single precision decides most boxes;

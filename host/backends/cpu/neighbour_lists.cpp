@@ -39,7 +39,7 @@ bool lies_in(const Box& box, const Sized& sample) {
 NeighbourLists::NeighbourLists(const Plan& plan)
     : plan_(plan),
       first_(*plan.field().first_boxes),
-      sheets_(plan.field().sheets),
+      copies_(plan.field().copies),
       radius_field_(*plan.field().radius_field),
       vectors_(*all_vectors().front()),
       few_(0),
@@ -51,14 +51,14 @@ NeighbourLists::NeighbourLists(const Plan& plan)
 void NeighbourLists::put(std::span<const Sized> samples) {
     few_ = ZeroedArray<Few>(first_.block_count() + std::size_t{1});  // vector loads read past it
     states_.assign(first_.block_count(), 0);
-    if (sheets_.are_several()) {
+    if (copies_.are_several()) {
         closed_.begin(first_);
         all_marked_.begin(first_);
     }
     for (const Sized& sample : samples) {
         ask_after(kWorkOfSample);
-        for (const std::uint32_t root : first_.sheets) {
-            const There here = there(sample, sheets_.of(first_.nodes[root].box.x));
+        for (const std::uint32_t root : first_.copies) {
+            const There here = there(sample, copies_.of(first_.nodes[root].box.x));
             for_each_reached(here, root, plan_.period_x != 0, closed_,
                              [&](std::uint32_t block) { push(here, sample, block); });
         }
@@ -77,13 +77,13 @@ bool NeighbourLists::covers(const There& there, std::uint32_t block) const {
                                 there.factor, plan_.period_x, plan_.period_y);
 }
 
-NeighbourLists::There NeighbourLists::there(const Sized& sample, std::uint32_t sheet) const {
-    const std::uint64_t factor = sheets_.factor(sheets_.of(sample.x), sheet);
-    return {{sheets_.x_on(sheet, sample.x), sample.y, sample.radius},
+NeighbourLists::There NeighbourLists::there(const Sized& sample, std::uint32_t copy) const {
+    const std::uint64_t factor = copies_.factor(copies_.of(sample.x), copy);
+    return {{copies_.x_on(copy, sample.x), sample.y, sample.radius},
             factor,
             portable::times_factor(sample.radius, factor),
             radius_field_.has_ellipses() ? &radius_field_.ellipse_at(sample.x, sample.y) : nullptr,
-            sheets_.of(sample.x) == sheet};
+            copies_.of(sample.x) == copy};
 }
 
 bool NeighbourLists::misses(const There& there, const Box& box, bool wraps) const {
@@ -136,7 +136,7 @@ void NeighbourLists::for_each_reached(const There& there, std::uint32_t root, bo
     }
 }
 
-// On the sample's own sheet, climbs the tree from the block, and descends into the siblings that it
+// On the sample's own copy, climbs the tree from the block, and descends into the siblings that it
 // passes. All lists to be written are prefetched before the first one is written.
 void NeighbourLists::insert(const Sized& sample, std::uint32_t block,
                             const FirstBoxes::Zone* within) {
@@ -153,13 +153,13 @@ void NeighbourLists::insert(const Sized& sample, std::uint32_t block,
         reached[count++] = near;
         if (count == reached.size()) push_all();
     };
-    for (std::size_t k = 0; k < first_.sheets.size(); ++k) {
+    for (std::size_t k = 0; k < first_.copies.size(); ++k) {
         push_all();
-        const std::uint32_t root = first_.sheets[k];
-        const std::uint32_t sheet = sheets_.of(first_.nodes[root].box.x);
-        here = there(sample, sheet);
+        const std::uint32_t root = first_.copies[k];
+        const std::uint32_t copy = copies_.of(first_.nodes[root].box.x);
+        here = there(sample, copy);
         const bool wraps = sticks_out(here, root);
-        if (wraps || sheets_.of(sample.x) != sheet) {
+        if (wraps || copies_.of(sample.x) != copy) {
             for_each_reached(here, within == nullptr ? root : within->nodes[k], wraps, closed_,
                              note);
             continue;
@@ -180,7 +180,7 @@ bool NeighbourLists::is_any_seen_closer(const SizedSpan& near, Sample at,
                                         std::uint32_t radius) const {
     thread_local SizedList of_thread;
     SizedList& seen = of_thread;  // looked up once, see subtract.cpp
-    seen.see(sheets_, sheets_.of(at.x), near, radius);
+    seen.see(copies_, copies_.of(at.x), near, radius);
     return vectors_.is_any_sized_closer(seen.span(), at, kAnyRadius,
                                         {plan_.period_x, plan_.period_y});
 }
@@ -191,7 +191,7 @@ bool NeighbourLists::is_any_ellipse_closer(const SizedSpan& near, Sample at,
     const Sized candidate{at.x, at.y, radius};
     const portable::Ellipse& own = radius_field_.ellipse_at(at.x, at.y);
     const bool wraps =
-        sticks_out({candidate, FACTOR_ONE, radius, &own, true}, first_.sheets.front());
+        sticks_out({candidate, FACTOR_ONE, radius, &own, true}, first_.copies.front());
     const FloatEllipse in_floats = cpu::in_floats(own);
     const auto next = [&](std::size_t from) {
         return wraps ? from : vectors_.next_in_ellipse(near, at, in_floats, from);
@@ -206,7 +206,7 @@ bool NeighbourLists::is_any_ellipse_closer(const SizedSpan& near, Sample at,
 
 void NeighbourLists::push(const There& there, const Sized& sample, std::uint32_t block) {
     push(sample, block);
-    if (sheets_.are_several() && covers(there, block)) close(block);
+    if (copies_.are_several() && covers(there, block)) close(block);
 }
 
 void NeighbourLists::push(const Sized& sample, std::uint32_t block) {
@@ -250,7 +250,7 @@ SizedSpan NeighbourLists::long_part(std::uint32_t block, Sample at) const {
 }
 
 bool NeighbourLists::reaches(const Sized& sample, const Box& box, std::uint32_t greatest) const {
-    const There here = there(sample, sheets_.of(box.x));
+    const There here = there(sample, copies_.of(box.x));
     return is_reached(box, greatest, here.sample, here.factor, plan_.period_x, plan_.period_y);
 }
 
@@ -324,7 +324,7 @@ void NeighbourLists::mark(const Sized& candidate, std::uint32_t zone) {
         if (all_marked_.has_begun()) all_marked_.finish(near);
     };
     for (const std::uint32_t node : first_.zones[zone].nodes)
-        for_each_reached(there(candidate, sheets_.of(first_.nodes[node].box.x)), node,
+        for_each_reached(there(candidate, copies_.of(first_.nodes[node].box.x)), node,
                          first_.nodes[node].whole == 0 && plan_.period_x != 0, all_marked_, note);
 }
 

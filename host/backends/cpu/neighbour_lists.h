@@ -82,7 +82,7 @@ public:
         const Few& few = few_[candidate.home];
         const SizedSpan near = few.is_long ? long_part(candidate.home, {x, y}) : few.span();
         if (radius == 0) return true;
-        if (sheets_.are_several()) return is_any_seen_closer(near, {x, y}, radius);
+        if (copies_.are_several()) return is_any_seen_closer(near, {x, y}, radius);
         if (radius_field_.has_ellipses()) return is_any_ellipse_closer(near, {x, y}, radius);
         return vectors_.is_any_sized_closer(near, {x, y}, radius, {plan_.period_x, plan_.period_y});
     }
@@ -176,21 +176,21 @@ private:
     // Replaces all samples by these.
     void put(std::span<const Sized> samples);
 
-    // A sample on a sheet: with the x that it has there, and the factor that its radius and the
+    // A sample on a copy: with the x that it has there, and the factor that its radius and the
     // radii under blocks get there.
     struct There {
         Sized sample;
         std::uint64_t factor;
         std::uint32_t reach;               // of the sample: its radius times the factor
         const portable::Ellipse* ellipse;  // null where there are none
-        bool is_own;                       // whether it is the sample's own sheet
+        bool is_own;                       // whether it is the sample's own copy
     };
     // Whether the sample's ellipse misses the box; the sample must have one. May return false
     // although the ellipse misses the box.
     bool misses(const There& there, const Box& box, bool wraps) const;
-    There there(const Sized& sample, std::uint32_t sheet) const;
+    There there(const Sized& sample, std::uint32_t copy) const;
     // For disks that cross no edge of a torus: whether the node holds all blocks that they reach on
-    // the sheet that has this root.
+    // the copy that has this root.
     bool is_within(const There& there, std::uint32_t node, std::uint32_t root) const;
     bool sticks_out(const There& there, std::uint32_t root) const;
     // Skips nodes of which all blocks are `done`, but not the sample's own block.
@@ -205,7 +205,7 @@ private:
 
     const Plan& plan_;
     const FirstBoxes& first_;
-    const Sheets& sheets_;
+    const ClassCopies& copies_;
     const RadiusField& radius_field_;
     const Vectors& vectors_;
     ZeroedArray<Few> few_;

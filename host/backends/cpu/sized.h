@@ -45,21 +45,21 @@ public:
         std::copy_n(samples.radius, samples.count, &radius_[count_]);
         count_ += samples.count;
     }
-    // With classes: becomes the samples as a sheet sees them (plan/sheets.h). Their radii become
-    // the distances that they keep there from samples of `radius`.
-    void see(const Sheets& sheets, std::uint32_t sheet, const SizedSpan& samples,
+    // With classes: becomes the samples as a copy sees them (plan/class_copies.h). Their radii
+    // become the distances that they keep there from samples of `radius`.
+    void see(const ClassCopies& copies, std::uint32_t copy, const SizedSpan& samples,
              std::uint32_t radius) {
         make_room(samples.count);
         count_ = samples.count;
-        // Read once: the compiler cannot know that the arrays do not overlap the sheets.
-        const std::uint32_t begin = sheets.begin_of(sheet), last = sheets.last();
-        const std::uint32_t bits = sheets.bits();
-        const std::uint64_t* const factors = &sheets.factors()[sheet * std::size_t{MOST_CLASSES}];
+        // Read once: the compiler cannot know that the arrays do not overlap the copies.
+        const std::uint32_t begin = copies.begin_of(copy), last = copies.last();
+        const std::uint32_t bits = copies.bits();
+        const std::uint64_t* const factors = &copies.factors()[copy * std::size_t{MOST_CLASSES}];
         for (std::size_t i = 0; i < samples.count; ++i) {
             x_[i] = (samples.x[i] & last) + begin;
             y_[i] = samples.y[i];
             radius_[i] = portable::times_factor(std::min(samples.radius[i], radius),
-                                                factors[portable::sheet_of(samples.x[i], bits)]);
+                                                factors[portable::copy_of(samples.x[i], bits)]);
         }
     }
     SizedSpan span() const { return {x_.data(), y_.data(), radius_.data(), count_}; }

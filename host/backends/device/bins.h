@@ -56,8 +56,8 @@ public:
     virtual std::uint32_t width() const = 0;
     // The width of each bin, where widths differ.
     virtual std::span<const std::uint32_t> widths() const { return {}; }
-    // With classes: the number of bins up to the end of each sheet.
-    virtual std::span<const std::uint32_t> sheet_ends() const { return {}; }
+    // With classes: the number of bins up to the end of each copy.
+    virtual std::span<const std::uint32_t> copy_ends() const { return {}; }
     virtual void snapshot(Snapshot& snapshot) = 0;
     virtual void restore(const Snapshot& snapshot) = 0;
     // Uploads restored candidates. Waits.

@@ -89,7 +89,7 @@ public:
         if (round_.plan.tells_orders) round_.find_orders(orders_);
         return {round_.samples(), round_.survivors(), bins_->free_lengths(),
                 bins_->width(),   bins_->widths(),    orders_,
-                bins_->begins(),  bins_->sheet_ends()};
+                bins_->begins(),  bins_->copy_ends()};
     }
     std::vector<Candidate> located() override {
         settle();

@@ -44,7 +44,7 @@ void append_axis(const PixelAxis& axis, std::uint32_t number, std::uint32_t last
 FieldTables tables_of(const RadiusField& radius_field) {
     FieldTables tables;
     tables.axes.resize(4 * std::size_t{AXIS_WORDS}, 0);
-    const std::uint32_t last = radius_field.shape().last_on_sheet;
+    const std::uint32_t last = radius_field.shape().last_on_copy;
     constexpr std::uint32_t kAny = ~std::uint32_t{0};
     append_axis(radius_field.columns(), COLUMNS_OF_FIELD, last, tables.axes);
     append_axis(radius_field.rows(), ROWS_OF_FIELD, kAny, tables.axes);
@@ -117,7 +117,7 @@ public:
     std::span<const std::uint32_t> free_lengths() const override { return boxes_.free_lengths(); }
     std::uint32_t width() const override { return round_.plan.strip_width; }
     std::span<const std::uint32_t> widths() const override { return boxes_.widths(); }
-    std::span<const std::uint32_t> sheet_ends() const override { return boxes_.sheet_ends(); }
+    std::span<const std::uint32_t> copy_ends() const override { return boxes_.copy_ends(); }
 
     void snapshot(Snapshot& snapshot) override {
         snapshot.boxes = boxes_.get();
@@ -148,7 +148,7 @@ private:
         Memory& m = round_.memory;
         m.axes = round_.copy_of(tables.axes);
         m.mask_nodes = round_.copy_of(tables.mask_nodes);
-        round_.put_in_room<std::uint64_t>(m.factors, round_.plan.field().sheets.factors());
+        round_.put_in_room<std::uint64_t>(m.factors, round_.plan.field().copies.factors());
         m.ellipses = round_.copy_of(tables.ellipses);
         using Radii = RadiusField::Radii;
         static_assert(sizeof(Radii) == 2 * kWord);
@@ -189,10 +189,10 @@ private:
             const FirstBoxes::Node& node = first_.nodes[first_.blocks[i].node];
             const double area =
                 static_cast<double>(node.box.width) * (node.box.end - node.box.begin);
-            const Sheets& sheets = round_.plan.field().sheets;
+            const ClassCopies& copies = round_.plan.field().copies;
             const double side =
                 2.0 * portable::times_factor(node.greatest,
-                                             sheets.greatest_factor(sheets.of(node.box.x)));
+                                             copies.greatest_factor(copies.of(node.box.x)));
             const double disk_area =
                 std::min(side / round_.plan.width, 1.0) * std::min(side / round_.plan.height, 1.0);
             all += area;

@@ -76,7 +76,7 @@ portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uin
             .grid_side = grid.side,
             .grid_columns = grid.columns,
             .grid_rows = grid.rows,
-            .sheet_bits = plan.has_field() ? plan.field().sheets.bits() : BITS_OF_ONE_SHEET};
+            .copy_bits = plan.has_field() ? plan.field().copies.bits() : BITS_OF_ONE_COPY};
 }
 
 Range draws_of(const Slab& slab, std::span<const Draw> draws) {

@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t kSplitWork = 8;
 constexpr std::uint64_t kMeasureWork = 2;
 
-// There is no halo, and x reaches over all sheets.
+// There is no halo, and x reaches over all copies.
 constexpr Span kEverywhere{0, std::numeric_limits<std::uint32_t>::max()};
 
 }  // namespace
@@ -27,7 +27,7 @@ void ListBoxes::put(std::span<const Box> boxes, std::span<const std::uint32_t> o
     for (const Box& box : boxes) sizes.push_back(box.end - box.begin);
     for (const Box& box : boxes) sizes.push_back(box.width);
     Boxes::put(boxes, std::move(sizes));
-    sheet_ends_ = sheet_ends_of(round_.plan, boxes);
+    copy_ends_ = copy_ends_of(round_.plan, boxes);
 }
 
 void ListBoxes::make_room_to_cut(std::uint64_t boxes, bool halve) {
@@ -55,7 +55,7 @@ void ListBoxes::queue_keep() {
 
 void ListBoxes::download() {
     Boxes::download();
-    if (!round_.plan.field().sheets.are_several()) return;
+    if (!round_.plan.field().copies.are_several()) return;
     new_boxes_.resize(round_.new_boxes());
     round_.get<Box>(round_.memory.new_boxes, new_boxes_);
 }
@@ -63,7 +63,7 @@ void ListBoxes::download() {
 void ListBoxes::end_round() {
     std::swap(round_.memory.origins, round_.memory.new_origins);
     Boxes::end_round();
-    sheet_ends_ = sheet_ends_of(round_.plan, new_boxes_);
+    copy_ends_ = copy_ends_of(round_.plan, new_boxes_);
 }
 
 }  // namespace lacuna::device

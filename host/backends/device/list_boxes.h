@@ -16,7 +16,7 @@ public:
 
     std::span<const std::uint32_t> widths() const { return sizes_.subspan(count_, count_); }
     // With classes, as in Round.
-    std::span<const std::uint32_t> sheet_ends() const { return sheet_ends_; }
+    std::span<const std::uint32_t> copy_ends() const { return copy_ends_; }
 
     // `origins` has two words for each box: see Origin in portable/elements.h.
     void put(std::span<const Box> boxes, std::span<const std::uint32_t> origins);
@@ -31,7 +31,7 @@ private:
     void queue_cut(bool halve) override;
     void queue_keep() override;
 
-    std::vector<std::uint32_t> sheet_ends_;
+    std::vector<std::uint32_t> copy_ends_;
     std::vector<Box> new_boxes_;  // with classes, as downloaded
 };
 

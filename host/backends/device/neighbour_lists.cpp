@@ -43,13 +43,13 @@ NeighbourLists::NeighbourLists(RoundMemory& round)
 // Whether the nodes that a candidate reaches, at most, are more than may be visited
 // at once. Within a class they are few.
 bool NeighbourLists::may_visit_many() const {
-    const Sheets& sheets = round_.plan.field().sheets;
-    if (!sheets.are_several()) return false;
+    const ClassCopies& copies = round_.plan.field().copies;
+    if (!copies.are_several()) return false;
     double visits = 0;
-    for (const std::uint32_t root : first_.sheets) {
+    for (const std::uint32_t root : first_.copies) {
         const auto& [box, greatest, next, first, whole] = first_.nodes[root];
         const double reach =
-            portable::times_factor(greatest, sheets.greatest_factor(sheets.of(box.x)));
+            portable::times_factor(greatest, copies.greatest_factor(copies.of(box.x)));
         const double nodes = next - root;
         // As many nodes lie beside the reach as would fit between two rows of blocks.
         const auto share = [&](double length) {
@@ -101,7 +101,7 @@ void NeighbourLists::put(std::span<const Sized> samples) {
     round_.put_in_room<Candidate>(m.candidates, candidates);
     round_.put_in_room<std::uint32_t>(m.candidate_radii, radii);
     round_.put_in_room<std::uint32_t>(m.statuses, statuses);
-    const std::uint32_t first_part = round_.plan.field().sheets.are_several() ? kFirstPart : count;
+    const std::uint32_t first_part = round_.plan.field().copies.are_several() ? kFirstPart : count;
     for (std::uint32_t begin = 0; begin < count; begin = round_.part.end) {
         round_.part = {begin, std::min(count, std::max(first_part, 2 * begin))};
         begin_part();

@@ -18,14 +18,14 @@
 namespace lacuna::reference {
 namespace {
 
-// A sample as one sheet sees it (plan/sheets.h): its x lies on the domain, and the factor is that
-// of its class and the sheet's.
+// A sample as one copy sees it (plan/class_copies.h): its x lies on the domain, and the factor is
+// that of its class and the copy's.
 struct Neighbour {
     Sized sized;
     std::uint64_t factor;
 };
 
-// All samples that one sheet sees, in a grid of square cells, called bins, for each magnitude of
+// All samples that one copy sees, in a grid of square cells, called bins, for each magnitude of
 // the distance that they keep. Distances of one magnitude differ by less than a factor of 2, and
 // its bins are wider than all of them. So everything within that distance of a point lies in the
 // point's own bin or in one beside it.
@@ -114,8 +114,8 @@ public:
     explicit Exact(const Plan& plan)
         : plan_(plan),
           field_(plan.has_field() ? plan.field().radius_field.get() : nullptr),
-          sheets_(plan.has_field() ? plan.field().sheets : Sheets()),
-          samples_(sheets_.count(), Samples(plan)),
+          copies_(plan.has_field() ? plan.field().copies : ClassCopies()),
+          samples_(copies_.count(), Samples(plan)),
           recent_(samples_),
           spans_(plan),
           width_(plan.strip_width) {
@@ -135,9 +135,9 @@ public:
     }
 
     bool is_free(Sample candidate) const override {
-        const Sized sized{sheets_.x_on_sheet(candidate.x), candidate.y, radius_at(candidate)};
+        const Sized sized{copies_.x_on_copy(candidate.x), candidate.y, radius_at(candidate)};
         if (sized.radius == 0) return false;
-        return samples_[sheets_.of(candidate.x)].for_each_near(
+        return samples_[copies_.of(candidate.x)].for_each_near(
             {sized.x, 1, sized.y, sized.y + 1}, [&](const Neighbour& near) {
                 return has_ellipses() ? !portable::ellipses_conflict(
                                             near.sized, ellipse_of(near.sized), sized,
@@ -155,18 +155,18 @@ public:
             refine(policy.halves());
         else
             for (const Sample sample : samples) spans_.subtract_disk(sample);
-        recent_.assign(sheets_.count(), Samples(plan_));
+        recent_.assign(copies_.count(), Samples(plan_));
     }
 
 private:
-    // Each sheet sees the sample with the factor of both classes, and not at all if that is 0.
+    // Each copy sees the sample with the factor of both classes, and not at all if that is 0.
     void add(const Sized& sample) {
-        const Sized on_domain{sheets_.x_on_sheet(sample.x), sample.y, sample.radius};
-        for (std::uint32_t sheet = 0; sheet < sheets_.count(); ++sheet) {
-            const Neighbour seen{on_domain, sheets_.factor(sheets_.of(sample.x), sheet)};
+        const Sized on_domain{copies_.x_on_copy(sample.x), sample.y, sample.radius};
+        for (std::uint32_t copy = 0; copy < copies_.count(); ++copy) {
+            const Neighbour seen{on_domain, copies_.factor(copies_.of(sample.x), copy)};
             if (seen.factor == 0) continue;
-            samples_[sheet].add(seen);
-            recent_[sheet].add(seen);
+            samples_[copy].add(seen);
+            recent_[copy].add(seen);
         }
     }
 
@@ -256,12 +256,12 @@ private:
                        std::vector<Box>& left) const {
         const std::uint32_t radius = least_under(box);
         const std::uint32_t half = box.width / 2;
-        const std::uint32_t x = sheets_.x_on_sheet(box.x);
+        const std::uint32_t x = copies_.x_on_copy(box.x);
         std::vector<Span> chords;
         const auto covers = [&](Span chord) {
             return chord.begin <= box.begin && chord.end >= box.end;
         };
-        const bool is_open = samples[sheets_.of(box.x)].for_each_near(
+        const bool is_open = samples[copies_.of(box.x)].for_each_near(
             {x, box.width, box.begin, box.end}, [&](const Neighbour& near) {
                 if (has_ellipses() && radius != 0) append_chord(box, near.sized, chords);
                 if (has_ellipses()) return true;
@@ -285,8 +285,8 @@ private:
 
     const Plan& plan_;
     const RadiusField* field_;  // null where there is one radius
-    Sheets sheets_;
-    std::vector<Samples> samples_;  // of each sheet
+    ClassCopies copies_;
+    std::vector<Samples> samples_;  // of each copy
     std::vector<Samples> recent_;   // the samples that have not cut the bins yet
     FreeSpans spans_;
     std::vector<Box> boxes_;

@@ -14,10 +14,10 @@
 
 #include "backends/reference/free_space.h"
 #include "base/polling.h"
+#include "rounds/copy_shares.h"
 #include "rounds/quota.h"
 #include "rounds/random.h"
 #include "rounds/round_policy.h"
-#include "rounds/sheet_shares.h"
 
 namespace lacuna::reference {
 namespace {
@@ -45,20 +45,20 @@ std::vector<std::uint64_t> marginal_cdf(const Plan& plan, const FreeSpace& space
     return cdf;
 }
 
-// With classes: how random bits are shared among the sheets, whose bins follow each other.
-std::optional<SheetShares> shares_of_sheets(const Plan& plan, const FreeSpace& space,
-                                            const std::vector<std::uint64_t>& cdf) {
-    if (!plan.has_field() || !plan.field().sheets.are_several()) return std::nullopt;
-    const Sheets& sheets = plan.field().sheets;
-    std::vector<std::uint64_t> areas(sheets.count());
+// With classes: how random bits are shared among the copies, whose bins follow each other.
+std::optional<CopyShares> shares_of_copies(const Plan& plan, const FreeSpace& space,
+                                           const std::vector<std::uint64_t>& cdf) {
+    if (!plan.has_field() || !plan.field().copies.are_several()) return std::nullopt;
+    const ClassCopies& copies = plan.field().copies;
+    std::vector<std::uint64_t> areas(copies.count());
     for (std::uint32_t bin = 0; bin < cdf.size(); ++bin)
         areas[plan.class_of(space.at(bin, 0, 0))] = cdf[bin];
     std::vector<std::uint32_t> weights;
-    for (std::uint32_t sheet = 0; sheet < sheets.count(); ++sheet) {
-        if (sheet > 0) areas[sheet] = std::max(areas[sheet], areas[sheet - 1]);
-        weights.push_back(sheets.weight(sheet));
+    for (std::uint32_t copy = 0; copy < copies.count(); ++copy) {
+        if (copy > 0) areas[copy] = std::max(areas[copy], areas[copy - 1]);
+        weights.push_back(copies.weight(copy));
     }
-    return SheetShares(areas, weights);
+    return CopyShares(areas, weights);
 }
 
 struct Candidate {
@@ -67,7 +67,7 @@ struct Candidate {
 };
 
 Candidate draw(const Plan& plan, const FreeSpace& space, const std::vector<std::uint64_t>& cdf,
-               const std::optional<SheetShares>& shares, std::uint64_t number) {
+               const std::optional<CopyShares>& shares, std::uint64_t number) {
     const RandomBits random = random_bits(plan.seed, number);
 
     // Eq. 2: x = F_X^{-1}(c). The two values of F_X that straddle c give the bin.
@@ -108,7 +108,7 @@ Outcome sample(const Plan& plan, Observer& observer) {
     while (!quota.is_met()) {
         const std::vector<std::uint64_t> cdf = marginal_cdf(plan, *space);
         if (cdf.empty() || cdf.back() == 0) break;  // nothing is free: the set is maximal
-        const auto shares = shares_of_sheets(plan, *space, cdf);
+        const auto shares = shares_of_copies(plan, *space, cdf);
 
         // Survivors are the draws that no sample of an earlier round covers.
         std::vector<Candidate> survivors;

@@ -17,6 +17,7 @@
 
 #include "analysis/analyse.h"
 #include "analysis/sheet.h"
+#include "checks/domain.h"
 #include "cli/options/common_options.h"
 #include "cli/options/domain_options.h"
 #include "cli/reports/output.h"
@@ -24,10 +25,9 @@
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/progress_bar.h"
 #include "files/point_files.h"
-#include "files/read_sets.h"
-#include "plan/corner.h"
-#include "recipes/read.h"
-#include "verify/verify.h"
+#include "files/read_points.h"
+#include "options/read.h"
+#include "verify/domain.h"
 
 namespace lacuna::cli {
 namespace {
@@ -82,7 +82,7 @@ struct Input {
 
 // Checks the options and files before the work starts.
 std::vector<Output> check(const CommandLine& line, const AnalyzeCommand& options) {
-    if (options.sides) verify::check_domain(*options.sides);
+    if (options.sides) check_domain(*options.sides);
     if (options.radius) analysis::check_radius(*options.radius);
     analysis::check_effort(options.effort);
     OutputOptions asked = options.output;
@@ -94,11 +94,11 @@ std::vector<Output> check(const CommandLine& line, const AnalyzeCommand& options
     return outputs;
 }
 
-void add_sides(Input& input, const files::SetsOfFile& file, const std::string& name) {
+void add_sides(Input& input, const files::PointsOfFile& file, const std::string& name) {
     if (!file.domain) return;
     const Domain& sides = *file.domain;
     try {
-        verify::check_domain(sides);
+        check_domain(sides);
     } catch (const BadRequest& error) {
         throw files::FileError(name + ": " + error.what());
     }
@@ -111,7 +111,7 @@ void add_sides(Input& input, const files::SetsOfFile& file, const std::string& n
     input.sides_from = name;
 }
 
-void add_boundary(Input& input, const files::SetsOfFile& file, const std::string& name) {
+void add_boundary(Input& input, const files::PointsOfFile& file, const std::string& name) {
     if (!file.boundary) return;
     if (input.boundary && *input.boundary != *file.boundary)
         throw files::FileError(fmt::format(
@@ -133,20 +133,15 @@ Input read_input(const AnalyzeCommand& options) {
     Input input;
     std::vector<std::string> silent;  // files that give no domain
     for (const std::string& path : options.files) {
-        files::SetsOfFile file = files::read_sets(path);
+        files::PointsOfFile file = files::read_points(path);
         const std::string name = path == "-" ? "standard input" : path;
         if (!options.sides) add_sides(input, file, name);
         if (!options.sides && !file.domain) silent.push_back(name);
         if (!options.torus) add_boundary(input, file, name);
-        for (std::size_t i = 0; i < file.sets.size(); ++i) {
-            input.names.push_back(file.sets.size() == 1 ? name
-                                                        : fmt::format("{}: set {}", name, i + 1));
-            if (file.sets[i].empty())
-                throw files::FileError(
-                    fmt::format("{}: there is no point to analyse", input.names.back()));
-            input.radii.push_back(options.radius ? options.radius : file.radius);
-            input.sets.push_back(std::move(file.sets[i]));
-        }
+        if (file.points.empty()) files::refuse(name, "there is no point to analyse");
+        input.names.push_back(name);
+        input.radii.push_back(options.radius ? options.radius : file.radius);
+        input.sets.push_back(std::move(file.points));
     }
     check_told(input, silent);
     return input;
@@ -227,7 +222,7 @@ void run(const CommandLine& line, const AnalyzeCommand& options) {
 }
 
 void take_sides(const std::string& text, std::optional<Domain>& sides) {
-    recipes::read_domain("domain", text, sides.emplace());
+    options::read_domain("domain", text, sides.emplace());
 }
 
 void take_ellipse(const std::string& text, std::optional<Ellipse>& ellipse) {
@@ -253,7 +248,7 @@ Targets targets_of(AnalyzeCommand& all) {
 
 void add_analyze(CLI::App& app) {
     const auto all = std::make_shared<AnalyzeCommand>();
-    add_command(app, recipes::kAnalyze, kAnalyzeDescription, targets_of(*all),
+    add_command(app, options::kAnalyze, kAnalyzeDescription, targets_of(*all),
                 [all](const CommandLine& line) { run(line, *all); });
 }
 

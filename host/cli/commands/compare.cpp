@@ -20,12 +20,12 @@
 #include "cli/terminal/observers.h"
 #include "cli/terminal/progress_bar.h"
 #include "cli/terminal/run_program.h"
-#include "drawing/dot_count.h"
 #include "files/point_files.h"
-#include "recipes/make.h"
-#include "recipes/read.h"
-#include "recipes/settle.h"
-#include "recipes/stipple/place.h"
+#include "options/make.h"
+#include "options/read.h"
+#include "options/settle.h"
+#include "stipple/dot_count.h"
+#include "stipple/place_dots.h"
 
 namespace lacuna::cli {
 namespace {
@@ -62,7 +62,7 @@ struct CompareCommand {
     Picture picture;
     std::vector<std::string> backends;
     std::uint32_t runs = 5;
-    recipes::Given given;
+    options::Choices given;
     std::uint32_t relax = 0;  // as `given` says
     bool work = false;
     std::string json;
@@ -73,7 +73,7 @@ struct CompareCommand {
 // Splits at commas and removes blanks. The caller refuses empty names.
 std::vector<std::string> split(const std::string& text) {
     std::vector<std::string> names;
-    for (std::string& name : recipes::parts_of_list(text)) {
+    for (std::string& name : options::parts_of_list(text)) {
         name.erase(0, name.find_first_not_of(' '));
         name.erase(name.find_last_not_of(' ') + 1);
         names.push_back(std::move(name));
@@ -105,7 +105,7 @@ public:
     Runs(std::size_t all, bool quiet) : bar_(quiet), all_(all) {}
 
     void start(const Request& request) {
-        words_ = fmt::format("run {} of {}: {}", ++started_, all_, request.place.backend);
+        words_ = fmt::format("run {} of {}: {}", ++started_, all_, request.run_on.backend);
     }
     bool keep_going(const Progress& progress) override {
         const auto expected =
@@ -128,10 +128,11 @@ Comparison compared(const CompareCommand& options, const Request& request, const
     const Sampler shown = [&](const Request& one, Observer& observer) {
         runs.start(one);
         if (options.relax == 0) return sampler(one, observer);
-        const recipes::Moves moves{.iterations = options.relax};
+        const options::Moves moves{.iterations = options.relax};
         if (options.given.is_picture)
-            return recipes::place_dots(one, {}, {}, moves, recipes::Edges::open, observer).result;
-        return recipes::move_on({.result = sampler(one, observer)}, one, moves, observer).result;
+            return stippling::place_dots(one, {}, {}, moves, stippling::Edges::open, observer)
+                .result;
+        return options::move_on({.result = sampler(one, observer)}, one, moves, observer).result;
     };
     return compare(request, contestants, options.runs, shown, runs);
 }
@@ -165,7 +166,7 @@ CompareCommand settled(CompareCommand options) {
     options.given.metric = options.picture.metric;
     options.given.relax = options.given.relax.value_or(0);
     options.relax = *options.given.relax;
-    recipes::settle(options.given, options.request);
+    options::settle(options.given, options.request);
     return options;
 }
 
@@ -178,7 +179,7 @@ void run(const CommandLine& line, const CompareCommand& given, const Sampler& sa
         field = read_field(options.picture, request);
         request.field = &field;
         if (!request.count && !request.scale)
-            request.count = drawing::dot_count(field, request.domain);
+            request.count = stippling::dot_count(field, request.domain);
     }
     Interruption interruption;
     const Comparison comparison = compared(options, request, sampler);
@@ -197,7 +198,7 @@ Targets targets_of(CompareCommand& all) {
         {"runs", &all.runs},          {"work", &all.work},
         {"json", &all.json},          {"mode", &all.given.mode},
         {"relax", &all.given.relax},  {"quiet", &all.quiet}};
-    targets.merge(recipes::targets_of(all.request));
+    targets.merge(options::targets_of(all.request));
     targets.merge(targets_of(all.picture));
     targets.merge(targets_of(all.charts));
     return targets;
@@ -207,7 +208,7 @@ Targets targets_of(CompareCommand& all) {
 
 void add_compare(CLI::App& app, const Sampler& sampler) {
     const auto all = std::make_shared<CompareCommand>();
-    add_command(app, recipes::kCompare, kCompareDescription, targets_of(*all),
+    add_command(app, options::kCompare, kCompareDescription, targets_of(*all),
                 [all, sampler](const CommandLine& line) { run(line, *all, sampler); });
 }
 

@@ -39,7 +39,7 @@ struct Row {
 std::vector<Row> rows() {
     std::vector<Row> rows;
     const std::vector<Device> devices = listed_devices();
-    for (const std::string_view backend : recipes::words_of(recipes::Words::named_backends)) {
+    for (const std::string_view backend : options::words_of(options::Words::named_backends)) {
         std::size_t number = 0;
         for (const Device& device : devices)
             if (device.backend == backend) rows.push_back({device, number++});
@@ -92,7 +92,7 @@ std::string json_of(const std::vector<Row>& rows) {
 
 void add_devices(CLI::App& app) {
     const auto json = std::make_shared<bool>(false);
-    add_command(app, recipes::kDevices, kDevicesDescription, {{"json", json.get()}},
+    add_command(app, options::kDevices, kDevicesDescription, {{"json", json.get()}},
                 [json](const CommandLine&) {
                     files::write_whole("-", *json ? json_of(rows()) : table(rows()));
                 });

@@ -23,7 +23,7 @@
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/run_program.h"
 #include "drawing/png.h"
-#include "recipes/read.h"
+#include "options/read.h"
 
 namespace lacuna::cli {
 namespace {
@@ -60,7 +60,7 @@ struct MaskCommand {
 // WIDTHxHEIGHT in pixels.
 Raster sides_of(const std::string& text) {
     Raster sides;
-    if (!recipes::parse_raster(text, sides))
+    if (!options::parse_raster(text, sides))
         throw BadUsage("SIZE " + shown(text) + ": must be WIDTHxHEIGHT in pixels, such as 64x64");
     return sides;
 }
@@ -163,7 +163,7 @@ Targets targets_of(MaskCommand& all) {
 
 void add_mask(CLI::App& app) {
     const auto all = std::make_shared<MaskCommand>();
-    add_command(app, recipes::kMask, kMaskDescription, targets_of(*all),
+    add_command(app, options::kMask, kMaskDescription, targets_of(*all),
                 [all](const CommandLine& line) { run(line, *all); });
 }
 

@@ -58,18 +58,18 @@ void run(const CommandLine& line, const OrderCommand& options) {
     GivenColumns columns(options.set, given, drawing, outputs, true);
     if (given.field) request.field = &*given.field;
     const std::vector<std::uint32_t> order = naming_points(options.set, [&] {
-        return progressive_order(given.points, request.field, {request.domain, request.seed});
+        return progressive_order(given.file.points, request.field, {request.domain, request.seed});
     });
     std::vector<Point> points;
     points.reserve(order.size());
-    for (const std::uint32_t index : order) points.push_back(given.points[index]);
+    for (const std::uint32_t index : order) points.push_back(given.file.points[index]);
     columns.put_in_order(order);
 
     files::PointSet set{points, request.domain};
     columns.add_to(set);
     Writing writing(interruption);
     write_set(writing, drawing, outputs, set, style_of(drawing, request.domain),
-              [&] { return dots_of(request, points, drawing::Spread::even); });
+              [&] { return dots_of(request, points, stippling::Spread::even); });
     sum_up({outputs, options.common.report, options.common.quiet},
            fmt::format("{} points, in order", points.size()));
 }
@@ -87,7 +87,7 @@ Targets targets_of(OrderCommand& all) {
 
 void add_order(CLI::App& app) {
     const auto all = std::make_shared<OrderCommand>();
-    add_command(app, recipes::kOrder, kOrderDescription, targets_of(*all),
+    add_command(app, options::kOrder, kOrderDescription, targets_of(*all),
                 [all](const CommandLine& line) { run(line, *all); });
 }
 

@@ -23,7 +23,7 @@
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/run_program.h"
 #include "files/point_files.h"
-#include "files/read_sets.h"
+#include "files/read_points.h"
 #include "pictures/importance.h"
 
 namespace lacuna::cli {
@@ -56,7 +56,7 @@ struct RelaxCommand {
     CommonOptions common;
     GivenSet set;
     DrawingOptions drawing;
-    recipes::Moves moves{.iterations = RelaxOptions{}.iterations};
+    options::Moves moves{.iterations = RelaxOptions{}.iterations};
 };
 
 // Checks the options and returns the outputs.
@@ -76,9 +76,9 @@ Json json_of(const RelaxCommand& options, const Request& request) {
         json.update({{"x0", request.domain.x0}, {"y0", request.domain.y0}});
     json["boundary"] = request.domain.wraps() ? "torus" : "box";
     json.update(json_of_importance(options.set.picture.importance));
-    json["backend"] = request.place.backend;
-    json["device"] = request.place.device;
-    json["threads"] = request.place.threads;
+    json["backend"] = request.run_on.backend;
+    json["device"] = request.run_on.device;
+    json["threads"] = request.run_on.threads;
     return json;
 }
 
@@ -90,9 +90,9 @@ void run(const CommandLine& line, const RelaxCommand& options) {
     Request& request = common.request;
     SetAndField given = read_given_set(line, options.set, request);
     const GivenColumns columns(options.set, given, drawing, outputs, false);
-    const RelaxOptions moves = recipes::relax_options_of(request, options.moves);
-    Made made{.stopwatch = Stopwatch(!common.report.empty())};
-    made.result.points = std::move(given.points);
+    const RelaxOptions moves = options::relax_options_of(request, options.moves);
+    Finished made{.stopwatch = Stopwatch(!common.report.empty())};
+    made.result.points = std::move(given.file.points);
     if (given.field) request.field = &*given.field;
     const Relaxation relaxation = naming_points(
         options.set, [&] { return relax_points(common, outputs, moves, request.field, made); });
@@ -108,7 +108,7 @@ void run(const CommandLine& line, const RelaxCommand& options) {
             return relax_report(json_of(options, request), made, json_of(relaxation));
         });
     write_set(writing, drawing, outputs, set, style,
-              [&] { return dots_of(request, set.points, drawing::Spread::even); });
+              [&] { return dots_of(request, set.points, stippling::Spread::even); });
     const std::string steps =
         options.moves.gaussian == 0 ? "" : fmt::format(", {} steps", options.moves.gaussian);
     sum_up({outputs, common.report, common.quiet},
@@ -122,7 +122,7 @@ Targets targets_of(RelaxCommand& all) {
     targets.merge(targets_of(all.set));
     targets.merge(targets_of(all.common));
     targets.merge(targets_of(all.drawing));
-    targets.merge(recipes::targets_of(all.moves));
+    targets.merge(options::targets_of(all.moves));
     return targets;
 }
 
@@ -130,7 +130,7 @@ Targets targets_of(RelaxCommand& all) {
 
 void add_relax_command(CLI::App& app) {
     const auto all = std::make_shared<RelaxCommand>();
-    add_command(app, recipes::kRelax, kRelaxDescription, targets_of(*all),
+    add_command(app, options::kRelax, kRelaxDescription, targets_of(*all),
                 [all](const CommandLine& line) { run(line, *all); });
 }
 

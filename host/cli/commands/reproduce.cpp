@@ -178,7 +178,7 @@ Targets targets_of(ReproduceCommand& all) {
 
 void add_reproduce(CLI::App& app) {
     const auto all = std::make_shared<ReproduceCommand>();
-    add_command(app, recipes::kReproduce, kReproduceDescription, targets_of(*all),
+    add_command(app, options::kReproduce, kReproduceDescription, targets_of(*all),
                 [all](const CommandLine& line) { run(line, *all); });
 }
 

@@ -26,8 +26,8 @@
 #include "cli/reports/report.h"
 #include "cli/terminal/interruption.h"
 #include "files/point_files.h"
+#include "options/settle.h"
 #include "pictures/importance.h"
-#include "recipes/settle.h"
 
 namespace lacuna::cli {
 namespace {
@@ -60,8 +60,8 @@ struct SampleCommand {
     CommonOptions common;
     DomainOptions domain;
     DrawingOptions drawing;
-    recipes::Given given;
-    recipes::Moves moves;  // the iterations as `given` says
+    options::Choices given;
+    options::Moves moves;  // the iterations as `given` says
     std::optional<SeedRange> seeds;
     std::optional<double> frame;
     bool ellipse_columns = false;
@@ -74,9 +74,9 @@ bool has_ellipses(const DomainOptions& options) {
 void run(const CommandLine& line, SampleCommand all) {
     all.given.has_ellipses = has_ellipses(all.domain);
     all.given.has_domain = line.has("domain");
-    all.moves.iterations = recipes::relax_of(all.given);
+    all.moves.iterations = options::relax_of(all.given);
     all.given.gaussian = all.moves.gaussian;
-    recipes::settle(all.given, all.common.request);
+    options::settle(all.given, all.common.request);
     pictures::check(all.domain.field.importance);
     CommonOptions options = all.common;
     Request& request = options.request;
@@ -99,10 +99,10 @@ void run(const CommandLine& line, SampleCommand all) {
         return;
     }
     const drawing::Style style = style_of(all.drawing, request.domain);
-    const RelaxOptions moves = recipes::relax_options_of(request, all.moves);
+    const RelaxOptions moves = options::relax_options_of(request, all.moves);
     const bool moves_points = all.moves.are_asked_for();
     Interruption interruption;
-    Made made = make(options, all.moves);
+    Finished made = make(options, all.moves);
     const Request made_request = as_made(request, made.result);
     Json decides = json_of(all.domain, made_request, files);
     Json more{{"request", decides}};
@@ -123,7 +123,7 @@ void run(const CommandLine& line, SampleCommand all) {
     if (!options.report.empty())
         writing.add(options.report, [&] { return report_of(request, made, more); });
     write_set(writing, all.drawing, outputs, set.points(), style, [&] {
-        return set.diameters(moves_points ? drawing::Spread::even : drawing::Spread::random);
+        return set.diameters(moves_points ? stippling::Spread::even : stippling::Spread::random);
     });
     sum_up(options, outputs, made, "point",
            words_of(set.points().layers) + words_of_places(made_request));
@@ -143,7 +143,7 @@ Targets targets_of(SampleCommand& all) {
     targets.merge(targets_of(all.domain));  // before the request, which knows no border of a class
     targets.merge(targets_of(all.common));
     targets.merge(targets_of(all.drawing));
-    targets.merge(recipes::targets_of(all.moves));
+    targets.merge(options::targets_of(all.moves));
     return targets;
 }
 
@@ -151,7 +151,7 @@ Targets targets_of(SampleCommand& all) {
 
 void add_sample(CLI::App& app) {
     const auto all = std::make_shared<SampleCommand>();
-    add_command(app, recipes::kSample, kSampleDescription, targets_of(*all),
+    add_command(app, options::kSample, kSampleDescription, targets_of(*all),
                 [all](const CommandLine& line) { run(line, *all); });
 }
 

@@ -31,8 +31,8 @@
 #include "cli/terminal/run_program.h"
 #include "drawing/picture.h"
 #include "files/point_files.h"
-#include "recipes/read.h"
-#include "recipes/stipple/settled.h"
+#include "options/read.h"
+#include "stipple/settled.h"
 
 namespace lacuna::cli {
 namespace {
@@ -141,10 +141,10 @@ std::vector<Output> checked_outputs(const CommandLine& line, const StippleComman
 
 // Makes the dots under a progress bar.
 Stippling make(const CommonOptions& common, const std::string& image, const StippleOptions& options,
-               Made& made) {
+               Finished& made) {
     const lacuna::Picture picture = read_picture(image);
     ProgressBar bar(common.quiet);
-    DriverAtWork driver(options.request.place.backend);
+    DriverAtWork driver(options.request.run_on.backend);
     Observers observers({driver, made.stopwatch, bar});
     Stippling stippling = stipple(picture, options, observers);
     made.seconds = made.stopwatch.seconds_so_far();
@@ -240,14 +240,14 @@ std::vector<Point> run_one(const CommandLine& line, const StippleCommand& all) {
         line, {pens_of_all_inks(options), options.paper, all.pixels_per_inch}, outputs);
     CommonOptions common = all.common;
     Interruption interruption;
-    Made made{.stopwatch = Stopwatch(!common.report.empty())};
+    Finished made{.stopwatch = Stopwatch(!common.report.empty())};
     const Stippling dots = make(common, all.image, options, made);
     const Request& request = common.request = dots.request;
     if (!common.quiet && options.start_points.empty())
         warn_of_ink(drawing, {.dots = made.result.points.size(),
                               .suits = dots.dots_for_ink,
                               .domain = request.domain,
-                              .widest_pen_mm = recipes::widest_pen(options),
+                              .widest_pen_mm = stippling::widest_pen(options),
                               .are_line = options.path_line,
                               .has_gamma = line.has("gamma")});
 
@@ -312,7 +312,7 @@ Targets targets_of(StippleCommand& all) {
                     {"dpi", &all.pixels_per_inch},
                     {"report", &all.common.report},
                     {"quiet", &all.common.quiet}};
-    targets.merge(recipes::targets_of(all.stipple));
+    targets.merge(options::targets_of(all.stipple));
     targets.merge(targets_of(all.common.output));
     return targets;
 }
@@ -321,7 +321,7 @@ Targets targets_of(StippleCommand& all) {
 
 void add_stipple(CLI::App& app) {
     const auto all = std::make_shared<StippleCommand>();
-    add_command(app, recipes::kStipple, kStippleDescription, targets_of(*all),
+    add_command(app, options::kStipple, kStippleDescription, targets_of(*all),
                 [all](const CommandLine& line) { run(line, *all); });
 }
 

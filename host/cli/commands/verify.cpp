@@ -15,18 +15,18 @@
 #include <string>
 #include <vector>
 
+#include "checks/classes.h"
 #include "cli/options/common_options.h"
 #include "cli/options/domain_options.h"
 #include "cli/options/given_files.h"
 #include "cli/reports/verify_report.h"
 #include "cli/terminal/run_program.h"
 #include "files/point_files.h"
-#include "files/read_sets.h"
+#include "files/read_points.h"
 #include "files/read_whole.h"
 #include "pictures/importance.h"
 #include "places/sets.h"
 #include "plan/kept.h"
-#include "plan/sheets.h"
 #include "verify/verify.h"
 
 namespace lacuna::cli {
@@ -80,28 +80,28 @@ struct VerifyCommand {
 };
 
 // What the options say about all sets: the request, and the contents of the files that they name.
-struct Given {
+struct ForAllSets {
     Request request;
     DomainFiles files;
 };
 
 // The request for one set. If an option is not given, the set's file gives its value.
-Request request_of(const CommandLine& line, const VerifyCommand& options, const Given& given,
-                   const files::SetsOfFile& file, const std::string& name, SetClaim& claim) {
-    if (file.mode == name_of(Mode::cells) && !options.distances_only)
+Request request_of(const CommandLine& line, const VerifyCommand& options, const ForAllSets& given,
+                   const files::PointsOfFile& file, const std::string& name, SetClaim& claim) {
+    if (file.origin.mode == Mode::cells && !options.distances_only)
         throw BadUsage(name +
                        ": made in mode cells, where radii follow a picture: give "
                        "--distances-only, for the least of them");
-    if (file.mode == name_of(Mode::stratified) && !options.distances_only)
+    if (file.origin.mode == Mode::stratified && !options.distances_only)
         throw BadUsage(name +
                        ": made in mode stratified and relaxed, which promises no radius: "
                        "give --distances-only, for the least distance");
-    if (file.mode == name_of(Mode::pixels) && !options.distances_only)
+    if (file.origin.mode == Mode::pixels && !options.distances_only)
         throw BadUsage(name +
                        ": made on pixels, of which none has two points: give --distances-only");
     Request request = given.request;
-    ask_for_files(line, options.domain, options.distances_only, file, name);
-    claim.own_field = use_values(line, file, request, claim.options);
+    ask_for_files(line, options.domain, options.distances_only, file.origin, name);
+    claim.own_field = use_values(line, file.origin, request, claim.options);
     if (!line.has("domain") && file.domain) take_shape(*file.domain, request);
     if (file.boundary == Boundary::torus) request.domain.boundary = Boundary::torus;
     if (request.field != nullptr && !request.scale && request.classes.names.empty())
@@ -139,20 +139,19 @@ Extremes radii_of(const Request& request) {
 std::vector<std::uint8_t> classes_of_keep(const Request& request, const DomainFiles& files,
                                           const std::string& path) {
     if (!files.keep_classes.empty() || Members(request).are_all()) return files.keep_classes;
-    return classes_in(files::read_sets(path), request.classes, files::name_of(path));
+    return classes_in(files::read_points(path), request.classes, files::name_of(path));
 }
 
-SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& given,
-                  const files::SetsOfFile& file, std::span<const Point> points,
-                  const std::string& name) {
+SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, ForAllSets& given,
+                  const files::PointsOfFile& file, const std::string& name) {
     SetClaim claim;
-    claim.points = points;
+    claim.points = file.points;
     claim.options = options.domain;
     Request request = request_of(line, options, given, file, name, claim);
-    recipes::take_borders(claim.options.borders, request);
+    options::take_borders(claim.options.borders, request);
     take_masks(given.files, request);
     claim.name = name;
-    claim.meant_to_be_maximal = file.maximal.value_or(true);
+    claim.meant_to_be_maximal = file.origin.maximal.value_or(true);
     claim.radii = radii_of(request);
     claim.radius = request.radius.value_or(0);
     claim.domain = request.domain;
@@ -161,7 +160,7 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& 
     claim.mask = request.mask;
     claim.border = request.border;
     // What a .json says that it kept comes first in it.
-    claim.keep = request.keep.empty() ? points.first(kept_in(file)) : request.keep;
+    claim.keep = request.keep.empty() ? claim.points.first(kept_in(file)) : request.keep;
     claim.classes = request.classes;
     if (!claim.classes.names.empty()) {
         claim.own_classes = classes_in(file, claim.classes, name);
@@ -179,7 +178,7 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& 
     claim.tolerance = verify::tolerance_of(claim);
     claim.distances_only = options.distances_only || !has_open_class(claim.classes);
     // A progressive order that was cut is judged by its levels.
-    if (!options.distances_only && !options.request.radius) claim.levels = file.levels;
+    if (!options.distances_only && !options.request.radius) claim.levels = file.origin.levels;
     if (!claim.levels.empty() && !claim.meant_to_be_maximal) claim.distances_only = true;
     return claim;
 }
@@ -225,24 +224,16 @@ std::string fault_in_levels(const SetClaim& claim) {
 
 void run(const CommandLine& line, const VerifyCommand& options) {
     check(line, options);
-    Given given{options.request, {}};
+    ForAllSets given{options.request, {}};
     if (options.torus) given.request.domain.boundary = Boundary::torus;
-    std::vector<files::SetsOfFile> all;
-    for (const std::string& path : options.files) all.push_back(files::read_sets(path));
+    std::vector<files::PointsOfFile> all;
+    for (const std::string& path : options.files) all.push_back(files::read_points(path));
     DomainOptions domain = options.domain;
-    if (domain.classes.given.empty() && !all.front().distances.empty())
-        domain.known_classes = all.front().classes.names;
+    if (domain.classes.given.empty()) domain.known_classes = all.front().origin.classes.names;
     read_given_files(line, domain, given.request, given.files);
     std::vector<SetClaim> claims;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const std::string name = files::name_of(options.files[i]);
-        const auto& sets = all[i].sets;
-        for (std::size_t k = 0; k < sets.size(); ++k) {
-            claims.push_back(
-                claim_of(line, options, given, all[i], sets[k],
-                         sets.size() == 1 ? name : fmt::format("{}: set {}", name, k + 1)));
-        }
-    }
+    for (std::size_t i = 0; i < all.size(); ++i)
+        claims.push_back(claim_of(line, options, given, all[i], files::name_of(options.files[i])));
     bool all_hold = true;
     for (SetClaim& claim : claims) {
         // Now that `claims` does not move its elements any more.
@@ -262,7 +253,7 @@ Targets targets_of(VerifyCommand& all) {
                     {"tolerance", &all.tolerance}, {"distances-only", &all.distances_only},
                     {"json", &all.json},           {"quiet", &all.quiet}};
     targets.merge(targets_of(all.domain));  // before the request, which knows no border of a class
-    targets.merge(recipes::targets_of(all.request));
+    targets.merge(options::targets_of(all.request));
     return targets;
 }
 
@@ -270,7 +261,7 @@ Targets targets_of(VerifyCommand& all) {
 
 void add_verify(CLI::App& app) {
     const auto all = std::make_shared<VerifyCommand>();
-    add_command(app, recipes::kVerify, kVerifyDescription, targets_of(*all),
+    add_command(app, options::kVerify, kVerifyDescription, targets_of(*all),
                 [all](const CommandLine& line) { run(line, *all); });
 }
 

@@ -15,11 +15,11 @@
 namespace lacuna::cli {
 namespace {
 
-using recipes::Kind;
-using recipes::Option;
+using options::Kind;
+using options::Option;
 
 std::string full_help_of(const Option& row) {
-    std::string help(recipes::help_of(row));
+    std::string help(options::help_of(row));
     for (const auto& [name, extensions] : {std::pair{"{read}", files::read_extensions()},
                                            {"{written}", files::written_extensions()},
                                            {"{pictures}", files::picture_extensions()}})
@@ -37,13 +37,13 @@ std::string names_of(const Option& row) {
 }
 
 // An argument has no name that a message could begin with.
-void take(const Option& row, const std::string& text, const recipes::Target& target) {
+void take(const Option& row, const std::string& text, const options::Target& target) {
     if (row.is_argument() && row.kind == Kind::word && !is_among(text, row.traits.words))
         throw CLI::ValidationError(shown(text) + ": must be " + listed(row.traits.words));
-    recipes::read(row, text, target);
+    options::read(row, text, target);
 }
 
-CLI::Option* add_option(CLI::App& command, const Option& row, const recipes::Target& target) {
+CLI::Option* add_option(CLI::App& command, const Option& row, const options::Target& target) {
     const std::string help = full_help_of(row);
     if (row.kind == Kind::flag)
         return command
@@ -73,12 +73,12 @@ CLI::Option* add_option(CLI::App& command, const Option& row, const recipes::Tar
 
 }  // namespace
 
-void add_command(CLI::App& app, recipes::Commands which, const std::string& description,
+void add_command(CLI::App& app, options::Commands which, const std::string& description,
                  const Targets& targets, const std::function<void(const CommandLine&)>& run) {
     CLI::App& command =
-        *app.add_subcommand(std::string(recipes::name_of_command(which)), description);
+        *app.add_subcommand(std::string(options::name_of_command(which)), description);
     std::vector<std::pair<const Option*, const CLI::Option*>> options;
-    for (const Option* row : recipes::options_of(which)) {
+    for (const Option* row : options::options_of(which)) {
         const auto target = targets.find(row->name);
         if (target == targets.end())
             throw std::logic_error(fmt::format("no target for the option {}", row->name));
@@ -91,7 +91,7 @@ void add_command(CLI::App& app, recipes::Commands which, const std::string& desc
                 line.given.push_back({row->name, row->kind == Kind::flag
                                                      ? std::vector<std::string>{}
                                                      : option->results()});
-        recipes::refuse_pairs(line);
+        options::refuse_pairs(line);
         run(line);
     });
 }
@@ -103,7 +103,7 @@ std::vector<GivenFile> files_read(const CommandLine& line) {
         for (const std::string& value : values)
             if (name_in_table == "class") classes.push_back(value.substr(0, value.find(':')));
     for (const auto& [name_in_table, values] : line.given) {
-        const Option& option = *recipes::find_option(line.command, name_in_table);
+        const Option& option = *options::find_option(line.command, name_in_table);
         const std::string name = (option.is_argument() ? "" : "--") + std::string(name_in_table);
         for (const std::string& value : values) {
             if (option.kind == Kind::read_file) files.push_back({name, value});
@@ -112,7 +112,7 @@ std::vector<GivenFile> files_read(const CommandLine& line) {
             if (option.kind == Kind::places)
                 files.push_back(
                     {name, domains::file_and_layer(class_and_path(value, classes).second).file});
-            if (option.kind == Kind::word_or_file && !recipes::is_among(value, option.traits.words))
+            if (option.kind == Kind::word_or_file && !options::is_among(value, option.traits.words))
                 files.push_back({name, value});
         }
     }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/options/given_files.h"
-#include "recipes/options.h"
-#include "recipes/targets.h"
+#include "options/options.h"
+#include "options/targets.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
 class App;
@@ -16,14 +16,14 @@ class App;
 
 namespace lacuna::cli {
 
-using recipes::CommandLine;
-using recipes::take_by;
-using recipes::Targets;
+using options::CommandLine;
+using options::take_by;
+using options::Targets;
 
 // Adds the command with all options that the table gives it; each must have a target, and all that
 // targets refer to must outlive the command. There may be more targets than options. Once the
-// command line has been read, and recipes::refuse_pairs() lets it pass, `run` is called.
-void add_command(CLI::App& app, recipes::Commands which, const std::string& description,
+// command line has been read, and options::refuse_pairs() lets it pass, `run` is called.
+void add_command(CLI::App& app, options::Commands which, const std::string& description,
                  const Targets& targets, const std::function<void(const CommandLine&)>& run);
 
 // The files that the command line names, which are read.

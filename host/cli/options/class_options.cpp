@@ -13,13 +13,13 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "checks/classes.h"
 #include "domains/rings.h"
-#include "drawing/dot_size.h"
 #include "files/csv_rows.h"
 #include "files/parse.h"
 #include "files/read_whole.h"
-#include "plan/sheets.h"
-#include "recipes/classes.h"
+#include "options/classes.h"
+#include "stipple/dot_size.h"
 
 namespace lacuna::cli {
 namespace {
@@ -62,7 +62,7 @@ std::vector<double> matrix_of_csv(std::string bytes, const std::string& file,
         if (found == names.end())
             files::refuse(rows.place(),
                           fmt::format("{} must be a number, such as 0.25, or a class{}",
-                                      files::excerpt(name), recipes::among_names(names)));
+                                      files::excerpt(name), options::among_names(names)));
         return static_cast<std::size_t>(found - names.begin());
     };
     std::vector<double> all;
@@ -130,12 +130,12 @@ void check_class_of_file(const std::string& option, const std::string& text,
         return;
     throw BadRequest(option, shown(text),
                      "there is no such file, and " + shown(name) + " is not a class" +
-                         recipes::among_names(names));
+                         options::among_names(names));
 }
 
-std::vector<std::uint8_t> classes_in(const files::SetsOfFile& file, const Classes& classes,
+std::vector<std::uint8_t> classes_in(const files::PointsOfFile& file, const Classes& classes,
                                      const std::string& name) {
-    if (file.classes.names.empty() && !file.sets.front().empty())
+    if (file.classes.names.empty() && !file.points.empty())
         throw files::FileError(name +
                                ": its points have no class: with --class a .csv needs a column "
                                "class with names, as lacuna writes it");
@@ -173,7 +173,7 @@ std::vector<double> class_diameters(const Request& request, const Result& result
         const double importance =
             request.field == nullptr
                 ? 1
-                : drawing::importance_at(result.points[i], *request.field, request.domain);
+                : stippling::importance_at(result.points[i], *request.field, request.domain);
         diameters.push_back(2. / 3 * own / std::sqrt(importance));
     }
     return diameters;

@@ -8,14 +8,14 @@
 #include <cstdio>
 #include <utility>
 
+#include "checks/classes.h"
 #include "cli/reports/output.h"
 #include "cli/terminal/driver.h"
 #include "cli/terminal/observers.h"
 #include "cli/terminal/progress_bar.h"
 #include "cli/terminal/run_program.h"
+#include "options/read.h"
 #include "pictures/image.h"
-#include "plan/sheets.h"
-#include "recipes/read.h"
 
 namespace lacuna::cli {
 
@@ -25,14 +25,14 @@ Targets targets_of(OutputOptions& output) {
 
 Targets targets_of(CommonOptions& options) {
     Targets targets{{"report", &options.report}, {"quiet", &options.quiet}};
-    targets.merge(recipes::targets_of(options.request));
+    targets.merge(options::targets_of(options.request));
     targets.merge(targets_of(options.output));
     return targets;
 }
 
 Targets targets_of(Picture& picture) {
     Targets targets{{"metric", &picture.metric}};
-    targets.merge(recipes::targets_of(picture.importance));
+    targets.merge(options::targets_of(picture.importance));
     return targets;
 }
 
@@ -58,13 +58,13 @@ std::vector<Output> checked_outputs(const CommonOptions& options,
     return outputs;
 }
 
-Made make(const CommonOptions& options, recipes::Moves moves) {
-    Made made{.stopwatch = Stopwatch(!options.report.empty())};
+Finished make(const CommonOptions& options, options::Moves moves) {
+    Finished made{.stopwatch = Stopwatch(!options.report.empty())};
     moves.measure = !options.report.empty();
     ProgressBar bar(options.quiet);
-    DriverAtWork driver(options.request.place.backend);
+    DriverAtWork driver(options.request.run_on.backend);
     Observers observers({driver, made.stopwatch, bar});
-    recipes::Made set = recipes::make(options.request, moves, observers);
+    options::Made set = options::make(options.request, moves, observers);
     made.result = std::move(set.result);
     made.relaxed = std::move(set.relaxed);
     made.seconds = made.stopwatch.seconds_so_far();
@@ -78,7 +78,7 @@ std::string words_of(std::span<const files::Layer> layers) {
     return text.empty() ? "" : text + ")";
 }
 
-void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, const Made& made,
+void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, const Finished& made,
             const std::string& what, const std::string& note, const std::string& more) {
     const Result& result = made.result;
     // A set without points is said to be one, also on the screen.

@@ -14,8 +14,8 @@
 #include "cli/reports/output.h"
 #include "cli/terminal/observers.h"
 #include "files/point_files.h"
+#include "options/make.h"
 #include "pictures/importance.h"
-#include "recipes/make.h"
 
 namespace lacuna::cli {
 
@@ -50,7 +50,7 @@ std::vector<Output> checked_outputs(const CommonOptions& options,
                                     const std::vector<GivenFile>& read);
 
 // A set that has been made, and the time it took.
-struct Made {
+struct Finished {
     Result result{};
     Stopwatch stopwatch;  // times verbs if there is a report
     double seconds = 0;
@@ -58,8 +58,8 @@ struct Made {
 };
 
 // Makes the set under a progress bar. Evenness is measured if there is a report. Throws what
-// recipes::make throws.
-Made make(const CommonOptions& options, recipes::Moves moves);
+// options::make throws.
+Finished make(const CommonOptions& options, options::Moves moves);
 
 // How many points there are of each class or ink, for the note of sum_up(): " (trees 20, grass
 // 41)". Empty without layers.
@@ -67,7 +67,7 @@ std::string words_of(std::span<const files::Layer> layers);
 
 // Prints a line about the set on standard error, unless --quiet is given or standard output is an
 // output. `what` is "point" or "dot"; `note` follows their number, and `more` the backend.
-void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, const Made& made,
+void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, const Finished& made,
             const std::string& what, const std::string& note = "", const std::string& more = "");
 
 }  // namespace lacuna::cli

@@ -14,17 +14,16 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "checks/classes.h"
+#include "checks/domain.h"
 #include "cli/reports/report.h"
 #include "files/parse.h"
 #include "files/point_files.h"
 #include "files/read_points.h"
-#include "files/read_sets.h"
 #include "files/read_whole.h"
 #include "pictures/importance.h"
 #include "plan/checked_request.h"
-#include "plan/corner.h"
 #include "plan/kept.h"
-#include "plan/sheets.h"
 
 namespace lacuna::cli {
 namespace {
@@ -79,7 +78,7 @@ Targets targets_of(DomainOptions& options) {
 
 void read_given_files(const CommandLine& line, const DomainOptions& options, Request& request,
                       DomainFiles& files) {
-    request.classes = recipes::read_classes(options.classes, read_matrix);
+    request.classes = options::read_classes(options.classes, read_matrix);
     bool has_shape = line.has("domain") || request.on_pixels;
     const auto give_shape = [&](const Domain& shape) {
         if (!has_shape) take_shape(shape, request);
@@ -119,16 +118,15 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
         }
     if (!has_shape && !outlines.empty()) give_shape(domain_around(request.places));
     read_masks(options, give_shape, request, files);
-    recipes::take_size_of_classes(request);
+    options::take_size_of_classes(request);
     if (options.keep.empty()) return;
     if (request.classes.names.empty()) {
-        files.keep = files::read_points(options.keep);
+        files.keep = files::read_points(options.keep).points;
     } else {
-        files::SetsOfFile file = files::read_sets(options.keep);
+        files::PointsOfFile file = files::read_points(options.keep);
         const std::string name = files::name_of(options.keep);
-        if (file.sets.size() != 1) files::refuse(name, "must have one set");
         files.keep_classes = classes_in(file, request.classes, name);
-        files.keep = std::move(file.sets.front());
+        files.keep = std::move(file.points);
     }
     request.keep = files.keep;
     request.keep_classes = files.keep_classes;
@@ -139,7 +137,7 @@ void read_domain_files(const CommandLine& line, const DomainOptions& options, Re
     read_given_files(line, options, request, files);
     request.places.edge = options.edge;
     request.places.border_by_radius = options.inside_by_radius;
-    recipes::take_borders(options.borders, request);
+    options::take_borders(options.borders, request);
     take_masks(files, request);
     Resolved resolved = resolve(request);
     request = std::move(resolved.request);
@@ -227,9 +225,9 @@ Json json_of(const DomainOptions& options, const Request& request, const DomainF
 }
 
 std::vector<double> dots_of(const Request& request, std::span<const Point> points,
-                            drawing::Spread spread) {
+                            stippling::Spread spread) {
     if (request.field == nullptr) return {};
-    return drawing::dot_diameters(points, *request.field, request.domain, spread);
+    return stippling::dot_diameters(points, *request.field, request.domain, spread);
 }
 
 }  // namespace lacuna::cli

@@ -20,10 +20,10 @@
 #include "cli/options/bind.h"
 #include "cli/options/common_options.h"
 #include "cli/reports/output.h"
-#include "drawing/dot_size.h"
 #include "files/point_files.h"
-#include "files/read_sets.h"
-#include "recipes/classes.h"
+#include "files/read_points.h"
+#include "options/classes.h"
+#include "stipple/dot_size.h"
 
 namespace lacuna::cli {
 
@@ -45,7 +45,7 @@ void check_class_of_file(const std::string& option, const std::string& text,
 
 // The class of each point of a file, as places in `classes`. `name` stands for the file in
 // messages. Throws FileError if points have no class, or one that is not among the classes.
-std::vector<std::uint8_t> classes_in(const files::SetsOfFile& file, const Classes& classes,
+std::vector<std::uint8_t> classes_in(const files::PointsOfFile& file, const Classes& classes,
                                      const std::string& name);
 
 // The classes that a result has; empty if it has none.
@@ -95,7 +95,7 @@ struct DomainOptions {
     std::map<Role, std::vector<std::string>> outlines;
     std::optional<double> edge;
     std::string keep;
-    recipes::ClassOptions classes;
+    options::ClassOptions classes;
     std::vector<std::string> known_classes;  // that files may be given for, if --class is not
     std::vector<std::string> borders;        // D or NAME:D
     bool inside_by_radius = false;
@@ -144,7 +144,7 @@ nlohmann::ordered_json json_of(const DomainOptions& options, const Request& requ
 
 // The diameters of dots that follow the request's field; empty without a field.
 std::vector<double> dots_of(const Request& request, std::span<const Point> points,
-                            drawing::Spread spread);
+                            stippling::Spread spread);
 
 // What a .json says of the options that its set was made with, for `lacuna verify`: values are used
 // where no option is given, and files are asked for.
@@ -153,15 +153,15 @@ std::vector<double> dots_of(const Request& request, std::span<const Point> point
 // that the command was not given, or with another tone of the field. For distances alone only
 // ellipses are needed. `name` stands for the file.
 void ask_for_files(const CommandLine& line, const DomainOptions& options, bool distances_only,
-                   const files::SetsOfFile& file, const std::string& name);
+                   const files::Origin& origin, const std::string& name);
 
 // Fills in the scale, the classes, the borders and how far edges may be off, where the command was
 // not given them. If the set has the same ellipse everywhere, returns its field, to which `request`
 // points.
-std::shared_ptr<const Field> use_values(const CommandLine& line, const files::SetsOfFile& file,
+std::shared_ptr<const Field> use_values(const CommandLine& line, const files::Origin& origin,
                                         Request& request, DomainOptions& options);
 
 // How many points of the set were kept: it begins with them.
-std::size_t kept_in(const files::SetsOfFile& file);
+std::size_t kept_in(const files::PointsOfFile& file);
 
 }  // namespace lacuna::cli

@@ -13,9 +13,9 @@
 
 #include "base/number_text.h"
 #include "cli/reports/report.h"
-#include "drawing/dot_count.h"
-#include "recipes/read.h"
-#include "recipes/words.h"
+#include "options/read.h"
+#include "options/words.h"
+#include "stipple/dot_count.h"
 
 namespace lacuna::cli {
 namespace {
@@ -69,8 +69,8 @@ std::string paper_that_suits(const DrawingOptions& options, const Inked& inked, 
     const double scale = scale_on(options.paper);
     double nearest = kNear;
     std::string best;
-    for (const std::string_view name : recipes::words_of(recipes::Words::papers)) {
-        const double ratio = scale / scale_on(recipes::read_paper("paper-size", std::string(name)));
+    for (const std::string_view name : options::words_of(options::Words::papers)) {
+        const double ratio = scale / scale_on(options::read_paper("paper-size", std::string(name)));
         const double ink = part * ratio * ratio;
         if (!(ratio > 0 && std::max(ink, 1 / ink) < nearest)) continue;
         nearest = std::max(ink, 1 / ink);
@@ -91,7 +91,7 @@ std::string paper_that_suits(const DrawingOptions& options, const Inked& inked, 
 
 Targets targets_of(DrawingOptions& options) {
     Targets targets{{"dpi", &options.pixels_per_inch}};
-    targets.merge(recipes::targets_of(options.pens, options.paper));
+    targets.merge(options::targets_of(options.pens, options.paper));
     return targets;
 }
 
@@ -153,7 +153,7 @@ void warn_of_ink(const DrawingOptions& options, const Inked& inked) {
         ink < kLeastInk && !inked.has_gamma ? "; with this ink --gamma 2 keeps more contrast" : "";
     std::fputs(
         fmt::format("lacuna: {} have {} % of the picture's ink: {} would suit{}\n", drawn, percent,
-                    recipes::listed(std::vector<std::string_view>(advice.begin(), advice.end())),
+                    options::listed(std::vector<std::string_view>(advice.begin(), advice.end())),
                     contrast)
             .c_str(),
         stderr);
@@ -163,8 +163,8 @@ void warn_of_ink(const DrawingOptions& options, const Request& request, const Fi
                  std::size_t count, const drawing::Style& style) {
     if (!options.pens || tone == nullptr) return;
     warn_of_ink(options, {.dots = count,
-                          .suits = drawing::dots_for_ink(*tone, request.domain,
-                                                         {.pens = options.pens}, style),
+                          .suits = stippling::dots_for_ink(*tone, request.domain,
+                                                           {.pens = options.pens}, style),
                           .domain = request.domain,
                           .widest_pen_mm = 0});
 }
@@ -191,10 +191,7 @@ void write_set(Writing& writing, const DrawingOptions& options, const std::vecto
         set.dots = &dots;
     }
     for (const Output& output : outputs)
-        writing.add(output.path, [&] {
-            return output.format.medium ? drawing::draw(set, *output.format.medium, style)
-                                        : files::encode(set, output.format);
-        });
+        writing.add(output.path, [&] { return drawing::encode(set, output.format, style); });
     writing.write();
 }
 

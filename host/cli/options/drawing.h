@@ -12,9 +12,9 @@
 
 #include "cli/options/bind.h"
 #include "cli/reports/output.h"
-#include "drawing/dot_size.h"
 #include "drawing/picture.h"
 #include "files/point_files.h"
+#include "stipple/dot_size.h"
 
 namespace lacuna::cli {
 

@@ -13,20 +13,11 @@
 #include "base/number_text.h"
 #include "cli/options/domain_options.h"
 #include "files/point_files.h"
-#include "files/read_sets.h"
+#include "files/read_points.h"
 #include "files/read_whole.h"
 
 namespace lacuna::cli {
 namespace {
-
-files::SetsOfFile read_one_set(const std::string& path) {
-    files::SetsOfFile file = files::read_sets(path);
-    if (file.sets.size() != 1)
-        throw files::FileError(fmt::format("{}: has {} sets: must have one",
-                                           path == "-" ? "standard input" : path,
-                                           file.sets.size()));
-    return file;
-}
 
 // The colours of a file's inks: as it says, or by their names; else such as classes have.
 void colour(const files::LayersOfFile& inks, std::vector<files::Layer>& layers) {
@@ -65,8 +56,8 @@ Targets targets_of(GivenSet& set) {
 
 SetAndField read_given_set(const CommandLine& line, const GivenSet& set, Request& request) {
     const bool has_domain = line.has("domain");
-    files::SetsOfFile file = read_one_set(set.points);
-    SetAndField read{std::move(file.sets.front()), {}, {}};
+    SetAndField read{files::read_points(set.points), {}};
+    const files::PointsOfFile& file = read.file;
     if (!set.picture.path.empty()) {
         Request shape{.domain = request.domain};
         read.field = read_field(set.picture, shape);
@@ -74,7 +65,6 @@ SetAndField read_given_set(const CommandLine& line, const GivenSet& set, Request
     }
     if (!has_domain && file.domain) take_shape(*file.domain, request);
     if (file.boundary == Boundary::torus) request.domain.boundary = Boundary::torus;
-    read.file = std::move(file);
     return read;
 }
 

@@ -14,7 +14,7 @@
 #include "cli/options/common_options.h"
 #include "cli/options/drawing.h"
 #include "cli/reports/output.h"
-#include "files/read_sets.h"
+#include "files/read_points.h"
 
 namespace lacuna::cli {
 
@@ -26,12 +26,11 @@ struct GivenSet {
 // The targets of POINTS, IMAGE and what says how a picture is read.
 Targets targets_of(GivenSet& set);
 
-// Reads the points, which must be one set, and the picture. Sets the request's domain: as given, or
-// the picture's shape, or as in the file of the points. `file` has the other columns.
+// Reads the points and the picture. Sets the request's domain: as given, or the picture's shape, or
+// as in the file of the points.
 struct SetAndField {
-    std::vector<Point> points;
+    files::PointsOfFile file;
     std::optional<Field> field;
-    files::SetsOfFile file;
 };
 SetAndField read_given_set(const CommandLine& line, const GivenSet& set, Request& request);
 

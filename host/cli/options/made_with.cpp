@@ -23,7 +23,7 @@ namespace {
                                value == "true" ? "" : " " + shown(value), or_else));
 }
 
-// A value as files::SetsOfFile::options has it.
+// A value as files::Origin::values has it.
 std::string value_text(const Json& value) {
     if (value.is_boolean()) return value.get<bool>() ? "true" : "";
     if (value.is_number()) return fmt::format("{}", value.get<double>());
@@ -32,9 +32,9 @@ std::string value_text(const Json& value) {
     return text;
 }
 
-std::optional<double> number_of(const files::SetsOfFile& file, const char* option) {
-    const auto found = file.options.find(option);
-    if (found == file.options.end()) return std::nullopt;
+std::optional<double> number_of(const files::Origin& origin, const char* option) {
+    const auto found = origin.values.find(option);
+    if (found == origin.values.end()) return std::nullopt;
     std::string_view text = found->second;
     double number = 0;
     if (files::take_number(text, number) != std::errc{} || !text.empty()) return std::nullopt;
@@ -44,40 +44,40 @@ std::optional<double> number_of(const files::SetsOfFile& file, const char* optio
 }  // namespace
 
 void ask_for_files(const CommandLine& line, const DomainOptions& options, bool distances_only,
-                   const files::SetsOfFile& file, const std::string& name) {
+                   const files::Origin& origin, const std::string& name) {
     // The file of a set of disks holds its least radius, but the radius of an ellipse depends on
     // the direction.
-    const bool has_ellipses = file.options.contains("ellipses") || file.options.contains("along");
+    const bool has_ellipses = origin.values.contains("ellipses") || origin.values.contains("along");
     if (distances_only && !has_ellipses) return;
     const auto ask_for = [&](const std::string& key, std::string_view option) {
-        const auto found = file.options.find(key);
-        if (found == file.options.end() || line.has(option)) return;
+        const auto found = origin.values.find(key);
+        if (found == origin.values.end() || line.has(option)) return;
         ask(name, std::string(option), found->second, has_ellipses ? "" : ", or --distances-only");
     };
-    const std::vector<const recipes::Option*> rows = recipes::options_of(line.command);
-    for (const recipes::Option* row : rows)
+    const std::vector<const options::Option*> rows = options::options_of(line.command);
+    for (const options::Option* row : rows)
         if (row->names_a_file() && !row->is_argument() && row->name != "keep")
             ask_for(row->key(), row->name);
     ask_for("image", "field");  // of stipple
-    if (number_of(file, "neighbours").value_or(0) > 0) ask_for("keep", "keep");
+    if (number_of(origin, "neighbours").value_or(0) > 0) ask_for("keep", "keep");
     if (options.field.path.empty()) return;
     Picture any;
     const Targets readings = targets_of(any);  // of the options that say how a picture is read
     const Json own = json_of_importance(options.field.importance);
-    for (const recipes::Option* row : rows) {
-        const auto found = file.options.find(row->key());
-        if (!readings.contains(row->name) || found == file.options.end() || line.has(row->name))
+    for (const options::Option* row : rows) {
+        const auto found = origin.values.find(row->key());
+        if (!readings.contains(row->name) || found == origin.values.end() || line.has(row->name))
             continue;
         if (!own.contains(row->key()) || value_text(own.at(row->key())) != found->second)
             ask(name, std::string(row->name), found->second, "");
     }
 }
 
-std::shared_ptr<const Field> use_values(const CommandLine& line, const files::SetsOfFile& file,
+std::shared_ptr<const Field> use_values(const CommandLine& line, const files::Origin& origin,
                                         Request& request, DomainOptions& options) {
     std::shared_ptr<const Field> field;
-    const auto stretch = file.options.find("stretch");
-    if (request.field == nullptr && stretch != file.options.end()) {
+    const auto stretch = origin.values.find("stretch");
+    if (request.field == nullptr && stretch != origin.values.end()) {
         EllipseOptions same;
         same.same = stretch->second;
         field = std::make_shared<const Field>(read_ellipses(same));
@@ -85,27 +85,27 @@ std::shared_ptr<const Field> use_values(const CommandLine& line, const files::Se
         if (!request.scale) request.scale = 1;
     }
     if (!line.has("scale") && request.field != nullptr) {
-        const std::optional<double> scale = file.scale ? file.scale : number_of(file, "scale");
-        if (scale) request.scale = scale;
+        const double scale =
+            origin.scale > 0 ? origin.scale : number_of(origin, "scale").value_or(0);
+        if (scale > 0) request.scale = scale;
     }
     Classes& classes = request.classes;
-    if (classes.names.empty() && !file.distances.empty())
-        classes = {.names = file.classes.names,
-                   .distances = file.distances,
-                   .weights = file.weights,
-                   .counts = file.counts};
-    if (!line.has("border") && !line.has("inside-by-radius")) {
-        request.border = number_of(file, "border").value_or(0);
-        if (classes.names == file.classes.names) classes.borders = file.borders;
-        options.inside_by_radius = file.options.contains("inside_by_radius");
+    if (classes.names.empty()) {
+        classes = origin.classes;
+        classes.borders = {};
     }
-    if (!options.edge) options.edge = number_of(file, "edge");
+    if (!line.has("border") && !line.has("inside-by-radius")) {
+        request.border = number_of(origin, "border").value_or(0);
+        if (classes.names == origin.classes.names) classes.borders = origin.classes.borders;
+        options.inside_by_radius = origin.values.contains("inside_by_radius");
+    }
+    if (!options.edge) options.edge = number_of(origin, "edge");
     return field;
 }
 
-std::size_t kept_in(const files::SetsOfFile& file) {
-    const double kept = number_of(file, "kept").value_or(0);
-    const auto most = static_cast<double>(file.sets.front().size());
+std::size_t kept_in(const files::PointsOfFile& file) {
+    const double kept = number_of(file.origin, "kept").value_or(0);
+    const auto most = static_cast<double>(file.points.size());
     return static_cast<std::size_t>(std::clamp(std::floor(kept), 0.0, most));
 }
 

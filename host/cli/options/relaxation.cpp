@@ -22,12 +22,12 @@ bool says_distances(const CommonOptions& common, const std::vector<Output>& outp
 }
 
 Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& outputs,
-                        const RelaxOptions& options, const Field* field, Made& made) {
+                        const RelaxOptions& options, const Field* field, Finished& made) {
     Relaxation relaxation{options, {}, std::nullopt};
     relaxation.options.measure = !common.report.empty();
     {
         ProgressBar bar(common.quiet);
-        DriverAtWork driver(options.place.backend);
+        DriverAtWork driver(options.run_on.backend);
         Observers observers({driver, made.stopwatch, bar});
         relaxation.relaxed = relax(made.result.points, field, relaxation.options, observers);
     }

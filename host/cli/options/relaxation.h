@@ -10,7 +10,7 @@
 
 #include "cli/options/common_options.h"
 #include "cli/reports/output.h"
-#include "recipes/make.h"
+#include "options/make.h"
 
 namespace lacuna::cli {
 
@@ -30,7 +30,7 @@ bool says_distances(const CommonOptions& common, const std::vector<Output>& outp
 // the least distance if a report or a .json needs it, and otherwise 0, which means not known.
 // Throws what lacuna::relax throws.
 Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& outputs,
-                        const RelaxOptions& options, const Field* field, Made& made);
+                        const RelaxOptions& options, const Field* field, Finished& made);
 
 // What decides how points are moved: the numbers of iterations and of steps.
 nlohmann::ordered_json json_of_moves(const RelaxOptions& options);

@@ -28,7 +28,7 @@
 #include "cli/terminal/progress_bar.h"
 #include "cli/terminal/run_program.h"
 #include "files/point_files.h"
-#include "recipes/read.h"
+#include "options/read.h"
 
 namespace lacuna::cli {
 namespace {
@@ -121,8 +121,8 @@ SeedRange read_seeds(const std::string& text) {
     if (dots == std::string::npos)
         throw BadRequest("seeds", shown(text), "must be FIRST..LAST, as in 0..99, both included");
     SeedRange seeds{};
-    recipes::read("seeds", text.substr(0, dots), seeds.first);
-    recipes::read("seeds", text.substr(dots + 2), seeds.last);
+    options::read("seeds", text.substr(0, dots), seeds.first);
+    options::read("seeds", text.substr(dots + 2), seeds.last);
     if (seeds.last < seeds.first)
         throw BadRequest("seeds", shown(text), "the first must not be greater than the last");
     if (seeds.last - seeds.first >= kMostSeeds)
@@ -172,18 +172,18 @@ void sample_seeds(const CommandLine& line, const CommonOptions& options,
     Interruption interruption;
     Request shared = options.request;
     nlohmann::ordered_json of_frame = nlohmann::ordered_json::object();
-    TileFrame frame;
+    TileRing frame;
     ManyMade made;
     made.first_seed = seeds.first;
     made.last_seed = seeds.last;
     Stopwatch stopwatch;
     {
-        DriverAtWork driver(options.request.place.backend);
+        DriverAtWork driver(options.request.run_on.backend);
         Sets bar(options.quiet);
         Observers observers({driver, bar});
         if (all_sets.frame) {
             shared.seed = seeds.first;
-            frame = frame_of(shared, *all_sets.frame, driver);
+            frame = tile_ring(shared, *all_sets.frame, driver);
             shared.keep = frame.points;
             shared.keep_classes = frame.classes;
             of_frame = {{"frame", *all_sets.frame}, {"kept", frame.points.size()}};
@@ -199,7 +199,7 @@ void sample_seeds(const CommandLine& line, const CommonOptions& options,
                 Writing writing(interruption);
                 const MadeSet files(request, set, origin, all_sets.showing);
                 write_set(writing, drawing, outputs_of_seed(outputs, seed), files.points(), style,
-                          [&] { return files.diameters(drawing::Spread::random); });
+                          [&] { return files.diameters(stippling::Spread::random); });
                 add(made, std::move(set));
             },
             observers);

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string_view>
 
-#include "plan/corner.h"
+#include "checks/domain.h"
 
 namespace lacuna::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "cli/terminal/driver.h"
 #include "cli/terminal/observers.h"
 #include "files/point_files.h"
-#include "recipes/words.h"
+#include "options/words.h"
 
 namespace lacuna::cli {
 namespace {
@@ -62,8 +62,8 @@ public:
 private:
     void run_once(Entry& entry, Run run) {
         Request request = request_;
-        request.place.backend = entry.contestant.backend;
-        request.place.device = entry.contestant.device;
+        request.run_on.backend = entry.contestant.backend;
+        request.run_on.device = entry.contestant.device;
         const PeakMemory memory;
         Stopwatch stopwatch(run == Run::last);
         Observers observers({observer_, stopwatch});
@@ -89,7 +89,7 @@ private:
     }
 
     Result sampled(const Request& request, Observer& observer) {
-        DriverAtWork driver(request.place.backend);
+        DriverAtWork driver(request.run_on.backend);
         Observers observers({driver, observer});
         return sampler_(request, observers);
     }
@@ -131,9 +131,9 @@ std::vector<Contestant> find_contestants(const std::vector<std::string>& backend
     std::vector<Contestant> all;
     for (const std::string& backend :
          backends.empty() ? std::vector<std::string>{"cpu", "opencl", "vulkan"} : backends) {
-        if (!recipes::is_among(backend, recipes::Words::named_backends))
+        if (!options::is_among(backend, options::Words::named_backends))
             throw BadRequest("backends", shown(backend),
-                             "each must be " + recipes::listed(recipes::Words::named_backends));
+                             "each must be " + options::listed(options::Words::named_backends));
         const std::vector<Contestant> its = contestants_of(backend, devices);
         const bool any = std::any_of(its.begin(), its.end(),
                                      [](const Contestant& one) { return one.missing.empty(); });

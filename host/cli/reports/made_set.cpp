@@ -24,7 +24,7 @@ MadeSet::MadeSet(const Request& request, const Result& result, const files::Orig
     set_.layers_are = files::LayersAre::classes;
 }
 
-std::vector<double> MadeSet::diameters(drawing::Spread spread) const {
+std::vector<double> MadeSet::diameters(stippling::Spread spread) const {
     if (!layers_.empty()) return class_diameters(request_, result_);
     if (is_sized_by_radii_) {
         std::vector<double> diameters;

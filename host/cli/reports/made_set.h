@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "drawing/dot_size.h"
 #include "files/point_files.h"
+#include "stipple/dot_size.h"
 
 namespace lacuna::cli {
 
@@ -25,7 +25,7 @@ public:
 
     const files::PointSet& points() const { return set_; }
     // The diameters of its dots; empty if all follow from the radius.
-    std::vector<double> diameters(drawing::Spread spread) const;
+    std::vector<double> diameters(stippling::Spread spread) const;
 
 private:
     const Request& request_;

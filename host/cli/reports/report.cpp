@@ -10,12 +10,12 @@
 
 #include "cli/options/domain_options.h"
 #include "files/point_files.h"
-#include "recipes/describe.h"
+#include "options/describe.h"
 
 namespace lacuna::cli {
 namespace {
 
-Json json_of(const recipes::Description& description) {
+Json json_of(const options::Description& description) {
     Json json = Json::object();
     for (const auto& [name, value] : description)
         json[name] = std::visit([](const auto& one) { return Json(one); }, value);
@@ -24,7 +24,7 @@ Json json_of(const recipes::Description& description) {
 
 Json json_of(const Request& request, const Result& result) {
     Json json = what_decides(request, result);
-    json.update(json_of(recipes::describe_place(request)));
+    json.update(json_of(options::describe_place(request)));
     return json;
 }
 
@@ -57,7 +57,7 @@ std::string text_of(const Json& report) {
 }  // namespace
 
 Json what_decides(const Request& request, const Result& result) {
-    return json_of(recipes::describe(request, result));
+    return json_of(options::describe(request, result));
 }
 
 Json json_of(const Work& work) {
@@ -74,11 +74,11 @@ Json json_of(const Work& work) {
     return json;
 }
 
-std::string report_of(const Request& request, const Made& made) {
+std::string report_of(const Request& request, const Finished& made) {
     return report_of(request, made, Json::object());
 }
 
-std::string report_of(const Request& request, const Made& made, const Json& more) {
+std::string report_of(const Request& request, const Finished& made, const Json& more) {
     const Result& result = made.result;
     Json report{{"program", "lacuna"},
                 {"version", LACUNA_VERSION},
@@ -132,7 +132,7 @@ Json json_of_importance(const pictures::Importance& importance) {
     return json;
 }
 
-std::string relax_report(const Json& request, const Made& made, const Json& more) {
+std::string relax_report(const Json& request, const Finished& made, const Json& more) {
     Json seconds;
     for (const Verb verb : kRelaxVerbs)
         seconds[std::string(name_of(verb))] = made.stopwatch.seconds(verb);
@@ -157,10 +157,14 @@ files::Origin origin_of(const CommandLine& line, const Request& request, const R
     Json options = what_decides(request, result);
     options.update(more);
     // File names are bytes, which need not be UTF-8.
-    return {LACUNA_VERSION, line.text(request.seed),
-            request.mode,   request.seed,
-            result.maximal, options.dump(-1, ' ', false, Json::error_handler_t::replace),
-            result.levels,  result.scale};
+    return {.version = LACUNA_VERSION,
+            .command = line.text(request.seed),
+            .mode = request.mode,
+            .seed = request.seed,
+            .maximal = result.maximal,
+            .options = options.dump(-1, ' ', false, Json::error_handler_t::replace),
+            .levels = result.levels,
+            .scale = result.scale};
 }
 
 }  // namespace lacuna::cli

@@ -35,8 +35,8 @@ Json json_of_importance(const pictures::Importance& importance);
 
 // The report of one set. Its seconds do not include writing files. `more` is merged into the
 // report.
-std::string report_of(const Request& request, const Made& made);
-std::string report_of(const Request& request, const Made& made, const Json& more);
+std::string report_of(const Request& request, const Finished& made);
+std::string report_of(const Request& request, const Finished& made, const Json& more);
 
 // Sums over many sets of one request.
 struct ManyMade {
@@ -53,7 +53,7 @@ struct ManyMade {
 std::string many_report(const Request& request, const ManyMade& made, const Json& decides);
 
 // The report of `lacuna relax`.
-std::string relax_report(const Json& request, const Made& made, const Json& more);
+std::string relax_report(const Json& request, const Finished& made, const Json& more);
 
 // The origin of a set for files: the request, and a command line that makes the set again.
 // Options that decide no point are left out (outputs, backend, device, threads), so that the bytes

@@ -9,10 +9,10 @@
 #include <cstddef>
 #include <string_view>
 
+#include "checks/classes.h"
+#include "checks/domain.h"
 #include "cli/reports/report.h"
 #include "cli/terminal/run_program.h"
-#include "plan/corner.h"
-#include "plan/sheets.h"
 #include "verify/neighbours.h"
 #include "verify/verify.h"
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "files/point_files.h"
-#include "recipes/options.h"
+#include "options/options.h"
 
 namespace lacuna::cli {
 namespace {
@@ -46,35 +46,35 @@ std::string lines_of_commands(const CLI::App& app) {
     return lines;
 }
 
-std::string lines_of_options(std::span<const recipes::Option* const> options) {
+std::string lines_of_options(std::span<const options::Option* const> options) {
     std::string lines = "--help\tPrint the help message\n";
-    for (const recipes::Option* option : options)
+    for (const options::Option* option : options)
         if (!option->is_argument())
             lines += "--" + std::string(option->name) + "\t" +
-                     std::string(recipes::help_of(*option)) + "\n";
+                     std::string(options::help_of(*option)) + "\n";
     return lines;
 }
 
 // The row of the option that `word` names, with one or two dashes; null if it has no value.
-const recipes::Option* option_with_value(recipes::Commands command, std::string_view word) {
+const options::Option* option_with_value(options::Commands command, std::string_view word) {
     if (!word.starts_with("-")) return nullptr;
     const std::size_t dashes = std::min(word.find_first_not_of('-'), word.size());
-    const recipes::Option* const option = recipes::find_option(command, word.substr(dashes));
-    return option != nullptr && option->kind != recipes::Kind::flag ? option : nullptr;
+    const options::Option* const option = options::find_option(command, word.substr(dashes));
+    return option != nullptr && option->kind != options::Kind::flag ? option : nullptr;
 }
 
 }  // namespace
 
 std::string words_at(const CLI::App& app, std::span<const std::string> typed) {
     if (typed.size() < 2 || typed.front() == "help") return lines_of_commands(app);
-    const std::optional<recipes::Commands> command = recipes::command_called(typed.front());
+    const std::optional<options::Commands> command = options::command_called(typed.front());
     if (!command) return "";
     if (const auto* const before = option_with_value(*command, typed[typed.size() - 2]))
-        return lines_of(recipes::words_of(before->traits.words));
-    const std::vector<const recipes::Option*> options = recipes::options_of(*command);
+        return lines_of(options::words_of(before->traits.words));
+    const std::vector<const options::Option*> options = options::options_of(*command);
     if (typed.back().starts_with("-")) return lines_of_options(options);
-    for (const recipes::Option* option : options)
-        if (option->is_argument()) return lines_of(recipes::words_of(option->traits.words));
+    for (const options::Option* option : options)
+        if (option->is_argument()) return lines_of(options::words_of(option->traits.words));
     return "";
 }
 
@@ -120,7 +120,7 @@ std::string nearest_text(const std::string& word, const std::vector<std::string>
     for (const std::string& name : known)
         if (name.find(stem.substr(1)) != std::string::npos) longer.push_back(name);
     if (longer.empty() || longer.size() > kMostNames) return "";
-    return ", did you mean " + recipes::listed(longer) + "?";
+    return ", did you mean " + options::listed(longer) + "?";
 }
 
 }  // namespace lacuna::cli

@@ -85,19 +85,4 @@ struct Mask {
 // A closed outline: its last point is joined to its first.
 using PolygonRing = std::vector<Point>;
 
-// Polygons that belong together: a place is inside if an odd number of rings goes around it (the
-// even-odd rule), so a ring within a ring is a hole. Samples may lie inside of any set of polygons
-// that is not `forbidden`, if there is one, but in none that is. And they keep a distance from the
-// set's rings, on either side. A line is a ring that goes there and back, and a point is a ring of
-// one point: nothing is inside of these.
-struct PolygonSet {
-    std::span<const PolygonRing> rings{};
-    bool forbidden = false;
-    double distance = 0;
-    // Instead of all that: samples lie within the distance of the rings, of this set or of another
-    // one that has them near.
-    bool near = false;
-    std::string option{};  // that it comes from, for messages; by default inside or outside
-};
-
 }  // namespace lacuna

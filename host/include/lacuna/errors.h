@@ -30,7 +30,7 @@ private:
     std::string option_, value_, reason_;
 };
 
-// The set asked for would take more memory than there is, or than Place::memory_limit_bytes.
+// The set asked for would take more memory than there is, or than RunOn::memory_limit_bytes.
 class MemoryRefused : public BadRequest {
     using BadRequest::BadRequest;
 };

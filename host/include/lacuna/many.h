@@ -31,7 +31,7 @@ void sample_many(const Request& request, std::span<const std::uint64_t> seeds, c
                  Observer& observer);
 
 // What all tiles of one request have in common.
-struct TileFrame {
+struct TileRing {
     std::vector<Point> points{};
     std::vector<std::uint8_t> classes{};  // with classes, of each point
 };
@@ -44,7 +44,7 @@ struct TileFrame {
 // what differs from tile to tile is too far from the edges to matter beyond them. It is under half
 // of the shorter side. Throws what sample() throws; BadRequest, too, for a width out of this range,
 // and for a box, kept points, a count, a limit, a progressive order and other modes than exact.
-TileFrame frame_of(const Request& request, double width);
-TileFrame frame_of(const Request& request, double width, Observer& observer);
+TileRing tile_ring(const Request& request, double width);
+TileRing tile_ring(const Request& request, double width, Observer& observer);
 
 }  // namespace lacuna

@@ -49,6 +49,19 @@ inline bool has_distance(Role role) {
     return role == Role::avoid || role == Role::near;
 }
 
+// Whether points may not lie inside of the rings.
+inline bool is_forbidden(Role role) {
+    return role == Role::outside || role == Role::avoid;
+}
+
+// Rings on a domain, all in its unit, and how far points stay from them, or may be from those that
+// are near. It refers to the rings.
+struct PolygonSet {
+    std::span<const PolygonRing> rings{};
+    Role role = Role::inside;
+    double distance = 0;
+};
+
 struct Outline {
     Polygons polygons{};
     Role role = Role::inside;

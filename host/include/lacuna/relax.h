@@ -24,7 +24,7 @@ struct RelaxOptions {
     // 0: only the energy does.
     double gaussian_distance = 0.90;
 
-    Place place = Place();
+    RunOn run_on = RunOn();
 
     bool measure = false;  // fill in Relaxed::evenness; costs two more passes over the lattice
 };

@@ -12,7 +12,7 @@
 namespace LACUNA_API lacuna {
 
 // Where the work is done.
-struct Place {
+struct RunOn {
     // A Device::backend that devices() lists. "auto" is the backend that the environment variable
     // LACUNA_BACKEND names or, where it is unset or empty, the first in the list.
     std::string backend = "auto";
@@ -33,7 +33,7 @@ struct Device {
 };
 
 // The devices of all backends. Backends come in order of preference, and the devices of each in the
-// order of their numbers, which Place::device names. A backend that this build lacks, or whose
+// order of their numbers, which RunOn::device names. A backend that this build lacks, or whose
 // driver fails, has one entry that says so.
 std::vector<Device> devices();
 

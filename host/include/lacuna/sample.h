@@ -206,7 +206,7 @@ struct Request {
     std::uint64_t seed = 0;                // sets of different seeds are independent
 
     Paper2011 paper2011{};
-    Place place = Place();  // {} makes gcc 12 warn at -O3 that its texts may be uninitialized
+    RunOn run_on = RunOn();  // {} makes gcc 12 warn at -O3 that its texts may be uninitialized
 };
 
 // A level of a progressive order: the first `points` points are a maximal set of this size.

@@ -15,7 +15,7 @@ BODY Ellipse ellipse_at(MEMORY const u32 x, const u32 y) {
 // Whether a sample or candidate at x, y conflicts with another one.
 BODY bool are_in_conflict(MEMORY const Geometry g, const u32 x, const u32 y, const u32 radius,
                           const Sized one) {
-    const Sized other = {x_beside(x, one.x, g.sheet_bits), y, radius};
+    const Sized other = {x_beside(x, one.x, g.copy_bits), y, radius};
     if (!conflicts(other, one, factor_of(ON g, x, one.x), g.period_x, g.period_y)) return false;
     if (g.rule != RULE_OF_ELLIPSES) return true;
     return ellipses_conflict(other, ellipse_at(ON x, y), one, ellipse_at(ON one.x, one.y),

@@ -6,9 +6,9 @@
 // With several classes: whether the candidate's disk holds the whole block.
 BODY bool covers(MEMORY const Geometry g, const Candidate candidate, const u32 radius,
                  const BlockNode block) {
-    if (g.sheet_bits == BITS_OF_ONE_SHEET) return false;
+    if (g.copy_bits == BITS_OF_ONE_COPY) return false;
     const Box box = LOAD(Box, tree_boxes, block.node);
-    const Sized there = {x_beside(candidate.x, box.x, g.sheet_bits), candidate.y, radius};
+    const Sized there = {x_beside(candidate.x, box.x, g.copy_bits), candidate.y, radius};
     return covers_box(there, box.x, box.width, box.begin, box.end, block.least,
                       factor_of(ON g, candidate.x, box.x), g.period_x, g.period_y);
 }

@@ -105,9 +105,9 @@ BODY u32 least_distance(const StripArguments a, const Strip box, const u32 x) {
     return box.is_even ? to_middle - min(to_middle, 1u) : to_box;
 }
 
-// A neighbour's x on the sheet of the strip, and the square of the distance that it keeps there.
+// A neighbour's x on the copy of the strip, and the square of the distance that it keeps there.
 BODY u32 x_of(const StripArguments a, const Neighbour neighbour, const Strip strip) {
-    return x_beside(neighbour.x, strip.at.x, a.g.sheet_bits);
+    return x_beside(neighbour.x, strip.at.x, a.g.copy_bits);
 }
 BODY u64 limit_near(MEMORY const StripArguments a, const Neighbour neighbour, const Strip strip) {
     return squared_limit(neighbour.radius, strip.radius,

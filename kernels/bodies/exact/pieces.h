@@ -17,7 +17,7 @@ BODY bool has_disks(const Geometry g) {
 // On a torus a chord continues at the other edge: see window_begin in chord.h.
 BODY u32 windows_of(const Geometry g, const Strip strip) {
     const bool is_at_edge = strip.at.begin < strip.radius || g.height - strip.at.end < strip.radius;
-    const bool has_classes = g.sheet_bits != BITS_OF_ONE_SHEET;  // they may reach farther
+    const bool has_classes = g.copy_bits != BITS_OF_ONE_COPY;  // they may reach farther
     return g.period_y != 0u && (is_at_edge || has_classes) ? 3u : 1u;
 }
 

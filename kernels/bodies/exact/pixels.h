@@ -10,7 +10,7 @@ struct Axis {
     u32 scale_low;
     u32 scale_high;
     u32 units;  // its length
-    u32 last;   // in x, the last unit of a sheet (portable/sheets.h); in y all bits are set
+    u32 last;   // in x, the last unit of a copy (portable/class_copies.h); in y all bits are set
     u32 root;   // of the mask's tree
 };
 LACUNA_TYPEDEF(Axis)

@@ -190,7 +190,7 @@ BODY u32 middle_border(const Axis axis, const u32 first, const u32 last) {
 // The x at which to halve a box: at a border of pixels near its middle if the pixels are unlike,
 // otherwise in its middle. 0: not to be cut. `all` describes what lies under the box.
 BODY u32 cut_x(const Grids grids, const Box box, const Touched touched, const Under all) {
-    const u32 sheet = box.x & ~grids.field.columns.last;
+    const u32 copy = box.x & ~grids.field.columns.last;
     u32 cut = 0u;
     if (all.allowed == ALLOWED_SOME)
         cut =
@@ -199,7 +199,7 @@ BODY u32 cut_x(const Grids grids, const Box box, const Touched touched, const Un
         cut = middle_border(grids.field.columns, touched.field.first_column,
                             touched.field.last_column);
     if (cut == 0u) return box.width > 1u ? box.x + box.width / 2u : 0u;
-    return sheet | cut;
+    return copy | cut;
 }
 
 BODY u32 cut_y(const Grids grids, const Touched touched, const Under all) {

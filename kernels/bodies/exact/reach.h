@@ -6,7 +6,7 @@
 #include "portable/conflict.h"
 
 // Whether a candidate is closer to a box than both its own radius and the greatest under the box,
-// each times the factor. Its x is on the sheet of the box.
+// each times the factor. Its x is on the copy of the box.
 BODY bool is_reached(const Box box, const u32 greatest, const Sized candidate, const u64 factor,
                      const u32 period_x, const u32 period_y) {
     return squared_length(distance_to_stretch(candidate.x, box.x, box.x + box.width, period_x),
@@ -23,8 +23,8 @@ BODY bool is_within(const u32 at, const u32 radius, const Span part, const Span 
     return (at - part.begin >= radius || ends_at_begin) && (part.end - at > radius || ends_at_end);
 }
 
-// The smallest node of the candidate's sheet that holds all blocks that the candidate reaches
-// there. `root` is the node of the whole sheet.
+// The smallest node of the candidate's copy that holds all blocks that the candidate reaches
+// there. `root` is the node of the whole copy.
 BODY u32 node_around(MEMORY const DrawArguments a, const Candidate candidate, const u32 radius,
                      const u32 root) {
     const Box all = LOAD(Box, tree_boxes, root);
@@ -41,13 +41,13 @@ BODY u32 node_around(MEMORY const DrawArguments a, const Candidate candidate, co
     return node;
 }
 
-// Lists a candidate for its own block and the open ones of one sheet that it reaches, and returns
-// the node after the sheet. `root` is the node of the whole sheet.
-BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root) {
+// Lists a candidate for its own block and the open ones of one copy that it reaches, and returns
+// the node after the copy. `root` is the node of the whole copy.
+BODY u32 list_on_copy(MEMORY const DrawArguments a, const u32 i, const u32 root) {
     const Candidate candidate = LOAD(Candidate, candidates, i);
-    const u32 sheet_x = LOAD(Box, tree_boxes, root).x;
-    const u64 factor = factor_of(ON a.g, candidate.x, sheet_x);
-    const Sized there = {x_beside(candidate.x, sheet_x, a.g.sheet_bits), candidate.y,
+    const u32 copy_x = LOAD(Box, tree_boxes, root).x;
+    const u64 factor = factor_of(ON a.g, candidate.x, copy_x);
+    const Sized there = {x_beside(candidate.x, copy_x, a.g.copy_bits), candidate.y,
                          AT(candidate_radii, i)};
     const bool has_block = candidate.home != NO_SAMPLE && there.x == candidate.x;
     const u32 first =
@@ -58,7 +58,7 @@ BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root
     const bool has_ellipse = a.g.rule == RULE_OF_ELLIPSES;
     Ellipse ellipse = {0u, 0u, 0u, 0u};
     if (has_ellipse) ellipse = ellipse_at(ON candidate.x, candidate.y);
-    const bool has_classes = a.g.sheet_bits != BITS_OF_ONE_SHEET;
+    const bool has_classes = a.g.copy_bits != BITS_OF_ONE_COPY;
     const bool is_all = a.first_node == ALL_NODES;
     const u32 next = LOAD(Links, tree_links, first).next;
     const u32 end = is_all ? next : min(next, a.first_node + NODES_AT_ONCE);
@@ -91,8 +91,8 @@ BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root
 // counted: the host sees the number, makes room and launches again.
 BODY void list_reached(MEMORY const DrawArguments a, const u32 i) {
     const u32 end = LOAD(Links, tree_links, 0u).next;
-    u32 root = a.g.sheet_bits == BITS_OF_ONE_SHEET ? 0u : 1u;  // sheets are the parts of node 0
-    while (root < end) root = list_on_sheet(ON a, i, root);
+    u32 root = a.g.copy_bits == BITS_OF_ONE_COPY ? 0u : 1u;  // copies are the parts of node 0
+    while (root < end) root = list_on_copy(ON a, i, root);
 }
 
 // Does not list covered and rejected candidates. If a round has one part, only the survivors are

@@ -21,15 +21,15 @@ namespace {
 using namespace lacuna;
 using tests::FieldRequest;
 
-// Positions at random on all sheets, where samples may lie, in the order of draws.
+// Positions at random on all copies, where samples may lie, in the order of draws.
 std::vector<Sized> positions(const Plan& plan, std::size_t count, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     const FieldPlan& field = plan.field();
     std::vector<Sized> all;
     while (all.size() < count) {
-        const auto sheet = static_cast<std::uint32_t>(random() % field.sheets.count());
+        const auto copy = static_cast<std::uint32_t>(random() % field.copies.count());
         const std::uint32_t x =
-            field.sheets.x_on(sheet, static_cast<std::uint32_t>(random() % plan.width));
+            field.copies.x_on(copy, static_cast<std::uint32_t>(random() % plan.width));
         const auto y = static_cast<std::uint32_t>(random() % plan.height);
         const std::uint32_t radius = field.radius_field->radius_at(x, y);
         if (radius != 0) all.push_back({x, y, radius});
@@ -38,11 +38,11 @@ std::vector<Sized> positions(const Plan& plan, std::size_t count, std::uint64_t 
 }
 
 bool conflict(const Plan& plan, const Sized& sample, const Sized& candidate) {
-    const Sheets& sheets = plan.field().sheets;
-    const Sized here{sheets.x_on_sheet(sample.x), sample.y, sample.radius};
-    const Sized there{sheets.x_on_sheet(candidate.x), candidate.y, candidate.radius};
+    const ClassCopies& copies = plan.field().copies;
+    const Sized here{copies.x_on_copy(sample.x), sample.y, sample.radius};
+    const Sized there{copies.x_on_copy(candidate.x), candidate.y, candidate.radius};
     return portable::conflicts(here, there,
-                               sheets.factor(sheets.of(sample.x), sheets.of(candidate.x)),
+                               copies.factor(copies.of(sample.x), copies.of(candidate.x)),
                                plan.period_x, plan.period_y);
 }
 

@@ -200,7 +200,7 @@ TEST_P(Faults, WithARadiusFieldAreNoticed) {
          {"portable/distance.h", "period - last + at :", "period - begin + at :", "reach"}});
 }
 
-// Classes on a field: each sheet sees the others' samples.
+// Classes on a field: each copy sees the others' samples.
 TEST_P(Faults, WithClassesAreNoticed) {
     const Field field = tests::ramp_field(7, 5);
     Request request;
@@ -213,12 +213,13 @@ TEST_P(Faults, WithClassesAreNoticed) {
     plan.limit = plan.expected_samples / 2;
     expect_noticed(
         plan,
-        {{"portable/sheets.h", " | (other_x >> sheet_bits << sheet_bits)", "", "admit_with_field"},
-         {"portable/sheets.h", ">> FACTOR_BITS", ">> (FACTOR_BITS + 1u)", "reach"},
-         {"bodies/exact/factor.h", "sheet_of(x_a, g.sheet_bits) * MOST_CLASSES", "0u",
+        {{"portable/class_copies.h", " | (other_x >> copy_bits << copy_bits)", "",
+          "admit_with_field"},
+         {"portable/class_copies.h", ">> FACTOR_BITS", ">> (FACTOR_BITS + 1u)", "reach"},
+         {"bodies/exact/factor.h", "copy_of(x_a, g.copy_bits) * MOST_CLASSES", "0u",
           "screen_with_field"},
          {"bodies/exact/pixels.h", "at & axis.last", "at & axis.last >> 1u", "locate_with_field"},
-         {"bodies/exact/reach.h", "a.g.sheet_bits == BITS_OF_ONE_SHEET ? 0u : 1u", "0u"},
+         {"bodies/exact/reach.h", "a.g.copy_bits == BITS_OF_ONE_COPY ? 0u : 1u", "0u"},
          {"bodies/exact/ellipses.h", "factor_of(ON g, x, one.x)", "FACTOR_ONE", "admit_with_field"},
          {"bodies/exact/lists.h", "factor_of(ON a.g, neighbour.x, strip.at.x)", "FACTOR_ONE"}});
 }

@@ -32,11 +32,11 @@ protected:
     static void expect_noticed(Boundary boundary, const std::vector<Fault>& faults) {
         RelaxOptions options = tests::on(1, 1, boundary);
         options.gaussian = 1;
-        options.place.backend = "cpu";
+        options.run_on.backend = "cpu";
         const std::vector<Point> points = tests::random_points(400, 1, 1, 1);
         const GaussianField field = make_gaussian(points.size(), options);
         const std::vector<Spot> start = spots_of(points, field, options, nobody_asks);
-        const auto right = descended(*make_gaussian_backend(options.place, field, start).backend);
+        const auto right = descended(*make_gaussian_backend(options.run_on, field, start).backend);
         for (const Fault& fault : faults) {
             try {
                 const auto faulty = device::make_gaussian_backend(

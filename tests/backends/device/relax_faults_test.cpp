@@ -37,8 +37,8 @@ class RelaxFaults : public lacuna::tests::OnFaultyBackend {
 protected:
     static std::vector<Site> on_cpu(const Lattice& lattice, const std::vector<Site>& start) {
         RelaxOptions options;
-        options.place.backend = "cpu";
-        return relaxed(*make_relax_backend(options.place, lattice, start).backend);
+        options.run_on.backend = "cpu";
+        return relaxed(*make_relax_backend(options.run_on, lattice, start).backend);
     }
     static std::vector<Site> on_cpu(const tests::Scene& scene) {
         const Lattice lattice = scene.lattice();

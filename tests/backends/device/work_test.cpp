@@ -38,7 +38,7 @@ Made make_set(const Plan& plan, Backend& backend) {
         [&](std::size_t count) { return backend.room_for_draws(count); });
     RoundPolicy policy(plan);
     const FirstFree all_free(plan);
-    marginal.rebuild(all_free.lengths, plan.strip_width, all_free.widths, all_free.sheet_ends);
+    marginal.rebuild(all_free.lengths, plan.strip_width, all_free.widths, all_free.copy_ends);
     while (marginal.total() > 0) {
         const std::span<const Draw> draws =
             marginal.invert(made.draws, static_cast<std::uint32_t>(policy.size()));
@@ -55,7 +55,7 @@ Made make_set(const Plan& plan, Backend& backend) {
         made.bins += round.free_lengths.size();
         policy.note(round.survivors, round.samples.size(), round.free_lengths.size(),
                     round.bin_width);
-        marginal.rebuild(round.free_lengths, round.bin_width, round.bin_widths, round.sheet_ends);
+        marginal.rebuild(round.free_lengths, round.bin_width, round.bin_widths, round.copy_ends);
     }
     made.work = backend.work();
     made.work.launches -= before.launches;

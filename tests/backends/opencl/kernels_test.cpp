@@ -69,7 +69,7 @@ TEST_F(Kernels, ThatAreMissingAreAnErrorWithTheirCall) {
 TEST_F(Kernels, RunOnTheDeviceThatTheResultNames) {
     Request request;
     request.radius = 0.1;
-    request.place.backend = "opencl";
+    request.run_on.backend = "opencl";
     const Result result = sample(request);
     EXPECT_EQ(result.backend, "opencl");
     bool is_listed = false;
@@ -81,7 +81,7 @@ TEST_F(Kernels, RefuseARoundLargerThanTheDevicesLargestBuffer) {
     Request request;
     request.radius = 0.1;
     request.paper2011.round_size = 4'000'000'000;
-    request.place.backend = "opencl";
+    request.run_on.backend = "opencl";
     const std::string what = tests::refusal_of([&] { sample(request); });
     EXPECT_TRUE(what.starts_with("round-size 4000000000: must be at most ")) << what;
 }

@@ -42,7 +42,7 @@ protected:
         request.paper2011.uniform_x = row.uniform_x;
         request.paper2011.snap = snap;
         request.paper2011.round_size = 1;
-        request.place.backend = "reference";
+        request.run_on.backend = "reference";
         // Counts of large sets vary less: the mean of 8 is six times more precise than is asked.
         const std::uint64_t seeds = row.radius < 0.01 ? 8 : 20;
         std::size_t total = 0;

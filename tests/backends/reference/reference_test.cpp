@@ -64,7 +64,7 @@ Request small_request() {
         request.paper2011.uniform_x ? 1 : *rc::gen::element(0u, 1u, 2u, 7u, 1000u);
     request.seed = *rc::gen::arbitrary<std::uint64_t>();
     request.radius = *rc::gen::inRange(5, 51) / 100.0;
-    request.place.backend = "reference";
+    request.run_on.backend = "reference";
     return request;
 }
 
@@ -107,7 +107,7 @@ TEST(Reference, KeepsItsDistancesInALargeSet) {
             request.radius = 0.005;
             request.domain.boundary = boundary;
             request.paper2011.snap = snap;
-            request.place.backend = "reference";
+            request.run_on.backend = "reference";
             const double least = least_distance_of(request);
             EXPECT_GE(least, snap ? 0.005 : 0.005 * (1 - 1.0 / 60));
             EXPECT_LT(least, 0.005 * 1.001);
@@ -120,7 +120,7 @@ TEST(Reference, InterpolatedDistancesDoFallBelowTheRadius) {
     Request request;
     request.mode = Mode::lines;
     request.radius = 0.01;
-    request.place.backend = "reference";
+    request.run_on.backend = "reference";
     EXPECT_LT(least_distance_of(request), 0.00995);
 }
 
@@ -128,7 +128,7 @@ Request request_of(Mode mode, double radius) {
     Request request;
     request.mode = mode;
     request.radius = radius;
-    request.place.backend = "reference";
+    request.run_on.backend = "reference";
     return request;
 }
 
@@ -144,7 +144,7 @@ TEST_P(ReferenceInMode, ACountIsMetExactly) {
                 request.domain.boundary = boundary;
                 request.paper2011.lines_per_radius = m;
                 request.paper2011.snap = request.mode == Mode::lines;
-                request.place.backend = "reference";
+                request.run_on.backend = "reference";
                 const Result result = sample(request);
                 EXPECT_EQ(result.points.size(), count);
                 const double least = judge::closest_pair(request.domain, result.points).distance;

@@ -154,7 +154,7 @@ TEST(ManyPieces, AreKeptAsByTheCpu) {
     request.seed = 1;
     request.progressive = true;
     request.limit = 1533;
-    request.place.backend = "cpu";
+    request.run_on.backend = "cpu";
     const Result kept = sample(request);
     request.progressive = false;
     request.limit.reset();
@@ -162,7 +162,7 @@ TEST(ManyPieces, AreKeptAsByTheCpu) {
     request.keep_classes = kept.classes;
     request.radius = kept.levels.back().size * std::exp2(-1.0 / 16);
     const Result expected = sample(request);
-    request.place.backend = "vulkan";
+    request.run_on.backend = "vulkan";
     EXPECT_EQ(sample(request).points, expected.points);
 }
 

@@ -15,7 +15,7 @@
 namespace {
 
 lacuna::Result faulty_sample(const lacuna::Request& request, lacuna::Observer& observer) {
-    if (request.place.backend == "cpu") return lacuna::sample(request, observer);
+    if (request.run_on.backend == "cpu") return lacuna::sample(request, observer);
     constexpr std::uint64_t kFailingSeed = 9;
     static int runs = 0;
     if (request.seed == kFailingSeed) {
