@@ -8,16 +8,19 @@
 //             [--skip K]
 //
 // The first requests cover all pairs; then come N (0) at random. It prints the seed, which is a new
-// one each time unless it is given. With --only all requests have the capability, and with --on one
-// backend answers. --skip goes to request K of the seed; then N (1) requests are made, and not all
-// pairs need be covered. Ends with 1 at the first fault, and names the request.
+// one each time unless it is given, and at the end a hash of all points: two versions of the
+// library that make the same sets print the same. With --only all requests have the capability, and
+// with --on one backend answers. --skip goes to request K of the seed; then N (1) requests are
+// made, and not all pairs need be covered. Ends with 1 at the first fault, and names the request.
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <memory>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -78,6 +81,12 @@ protected:
     // What a request is answered that breaks a line of the table.
     virtual std::string answer(const tests::Row& row, const tests::Refused& refused) = 0;
 
+    void add_to_hash(std::span<const Point> points) {
+        for (const Point& point : points)
+            for (const double value : {point.x, point.y})
+                hash_ = (hash_ ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3U;
+    }
+
     const tests::HostileOptions options_;
     const std::vector<std::string> names_;
     tests::Counts counts_;
@@ -116,10 +125,12 @@ private:
                   << counts_.proofs << " proofs; changed sets: " << counts_.refuted << " refuted, "
                   << counts_.as_good << " as good, " << counts_.filled << " filled by gaps\n  "
                   << covered_.covered() << " of " << covered_.allowed() << " pairs covered, "
-                  << counts_.refusals << " refused; failures 0" << std::endl;
+                  << counts_.refusals << " refused; failures 0; hash of all points " << std::hex
+                  << hash_ << std::dec << std::endl;
     }
 
     const tests::Tables& tables_;
+    std::uint64_t hash_ = 0xcbf29ce484222325U;  // FNV-1a, of the doubles' bits
     std::mt19937_64 rows_;
     tests::Pairs planned_;
     tests::Pairs covered_;  // by requests that were made and judged
@@ -146,6 +157,7 @@ private:
         }
         std::mt19937_64 random(number);
         for (const Result& set : answer.sets) tests::judge_set(*made, set, random, counts_);
+        for (const Result& set : answer.sets) add_to_hash(set.points);
         tests::judge_limit(made->request, answer.sets.front());
         if (made->frame > 0)
             tests::judge_tiles(*made, answer.sets.front(), answer.sets.back(), random, counts_);
@@ -177,6 +189,7 @@ private:
         demand(dots.refusal.empty(), "dots are refused: " + dots.refusal);
         tests::judge_in_c(drawing, dots.made, counts_);
         tests::judge_dots(drawing, dots.made, counts_);
+        add_to_hash(dots.made.result.points);
     }
 
     std::string answer(const tests::Row& row, const tests::Refused&) override {
