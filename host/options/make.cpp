@@ -5,6 +5,7 @@
 
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "lattice/lattice.h"
 #include "options/targets.h"
@@ -32,12 +33,12 @@ void note_moves(const Request& request, Result& result) {
 
 namespace {
 
-// The moves, and what of a request excludes some, as a command line.
-CommandLine line_of(const Request& request, Moves moves) {
+// The moves that are set, and what else is set that excludes some.
+std::vector<GivenOption> members_set(const Request& request, Moves moves) {
     Moves usual;
-    CommandLine line{kSample, given_in(kSample, targets_of(moves), targets_of(usual))};
-    const auto give = [&](std::string_view name, bool is_given) {
-        if (is_given) line.given.push_back({name, {}});
+    std::vector<GivenOption> given = given_in(kSample, targets_of(moves), targets_of(usual));
+    const auto give = [&](std::string_view name, bool is_set) {
+        if (is_set) given.push_back({name});
     };
     give("progressive", request.progressive);
     give("mask", request.mask != nullptr);
@@ -47,13 +48,13 @@ CommandLine line_of(const Request& request, Moves moves) {
     give("keep", !request.keep.empty());
     give("class", !request.classes.names.empty());
     give("ellipses", request.field != nullptr && !request.field->stretches.empty());
-    return line;
+    return given;
 }
 
 }  // namespace
 
 void check_moves(const Request& request, const Moves& moves) {
-    refuse_pairs(line_of(request, moves));
+    refuse_pairs(kSample, members_set(request, moves));
     if (!moves.are_asked_for()) return;
     const RelaxOptions options = relax_options_of(request, moves);
     relaxing::check_options(options);

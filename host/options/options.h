@@ -80,10 +80,10 @@ const Option* find_option(Commands command, std::string_view name);
 // {pictures} stands for the extensions of those that can be read, written, or written as pictures.
 std::string_view help_of(const Option& option);
 
-// An option that was given, and its values as they were written.
+// An option that was given, or whose member of a request is set, and its values as texts.
 struct GivenOption {
-    std::string_view name;            // as in the table
-    std::vector<std::string> values;  // empty for a flag
+    std::string_view name;              // as in the table
+    std::vector<std::string> values{};  // empty for a flag, and where no rule asks for the value
 };
 
 // What one call of a command was given, in the order of the table.
@@ -104,8 +104,8 @@ std::string quoted(const std::string& word);
 // The same for a path, which must not look like an option.
 std::string quoted_path(const std::string& path);
 
-// Throws BadRequest for an option that needs another one which was not given, or that excludes one
-// which was given. A number that switches an option off, as in --relax 0, is as good as none.
-void refuse_pairs(const CommandLine& line);
+// Throws BadRequest for one of `given` that needs another one which is not among them, or that
+// excludes one which is. A number that switches an option off, as in --relax 0, is as good as none.
+void refuse_pairs(Commands command, std::span<const GivenOption> given);
 
 }  // namespace lacuna::options

@@ -156,10 +156,10 @@ bool is_off(const GivenOption& one) {
 }
 
 // Null if it was not given, or not as the word that NAME=WORD says.
-const GivenOption* find(const CommandLine& line, std::string_view name) {
+const GivenOption* find(std::span<const GivenOption> given, std::string_view name) {
     const std::size_t equals = std::min(name.find('='), name.size());
     const std::string_view word = name.substr(std::min(equals + 1, name.size()));
-    for (const GivenOption& one : line.given)
+    for (const GivenOption& one : given)
         if (one.name == name.substr(0, equals) &&
             (word.empty() || (!one.values.empty() && one.values.front() == word)))
             return &one;
@@ -187,11 +187,11 @@ std::string written_all(std::string_view names) {
     throw BadRequest(std::string(one.name), value + with, std::string(why));
 }
 
-void refuse(const CommandLine& line, const Pairs& pairs, const GivenOption& one) {
+void refuse(std::span<const GivenOption> given, const Pairs& pairs, const GivenOption& one) {
     if (is_off(one)) return;
     const bool needs_one = pairs.needs == Needs::one_of;
     const bool has_one = any_of_names(pairs.others, [&](std::string_view other) {
-        const GivenOption* const found = find(line, other);
+        const GivenOption* const found = find(given, other);
         if (found == nullptr || is_off(*found)) return false;
         if (!needs_one) refuse(one, "with " + written(other), pairs.why);
         return true;
@@ -201,11 +201,11 @@ void refuse(const CommandLine& line, const Pairs& pairs, const GivenOption& one)
 
 }  // namespace
 
-void refuse_pairs(const CommandLine& line) {
+void refuse_pairs(Commands command, std::span<const GivenOption> given) {
     for (const Pairs& pairs : kPairs) {
-        if ((pairs.commands & line.command) == 0) continue;
+        if ((pairs.commands & command) == 0) continue;
         any_of_names(pairs.options, [&](std::string_view name) {
-            if (const GivenOption* const one = find(line, name)) refuse(line, pairs, *one);
+            if (const GivenOption* const one = find(given, name)) refuse(given, pairs, *one);
             return false;
         });
     }

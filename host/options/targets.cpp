@@ -128,7 +128,7 @@ void read(const CommandLine& line, const Targets& targets) {
         if (option.kind == Kind::flag) read(option, "", target->second);
         for (const std::string& value : values) read(option, value, target->second);
     }
-    refuse_pairs(line);
+    refuse_pairs(line.command, line.given);
 }
 
 Value value_of(const Target& target) {

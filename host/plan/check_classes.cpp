@@ -11,6 +11,7 @@
 #include "plan/checked_request.h"
 #include "plan/kept.h"
 #include "plan/radius_field.h"
+#include "portable/class_copies.h"
 
 namespace lacuna {
 namespace {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "checks/classes.h"
 #include "checks/domain.h"
 #include "plan/checked_request.h"
 #include "plan/first_boxes.h"

@@ -25,25 +25,23 @@ bool has_ellipses(const StippleOptions& options) {
     return options.tone.along != 1;
 }
 
-// What was given, as a command line.
-options::CommandLine line_of(StippleOptions options) {
+// What is set, by the names of options.
+std::vector<options::GivenOption> members_set(StippleOptions options) {
     StippleOptions usual;
-    options::CommandLine line{options::kStipple,
-                              options::given_in(options::kStipple, options::targets_of(options),
-                                                options::targets_of(usual))};
-    if (!options.inks.empty()) line.given.push_back({"inks", {options.inks.front().name}});
+    std::vector<options::GivenOption> given = options::given_in(
+        options::kStipple, options::targets_of(options), options::targets_of(usual));
+    if (!options.inks.empty()) given.push_back({"inks", {options.inks.front().name}});
     if (!options.ink_counts.empty())
-        line.given.push_back({"ink-counts", {std::to_string(options.ink_counts.front())}});
-    if (options.pen_path == false) line.given.push_back({"no-pen-path", {}});
+        given.push_back({"ink-counts", {std::to_string(options.ink_counts.front())}});
+    if (options.pen_path == false) given.push_back({"no-pen-path"});
     if (options.pens)
-        line.given.push_back({options.pens->widths_mm.empty() ? "dot-size" : "pens",
-                              {shortest(options.pens->least_mm) + "mm"}});
+        given.push_back({options.pens->widths_mm.empty() ? "dot-size" : "pens",
+                         {shortest(options.pens->least_mm) + "mm"}});
     if (!options.start_points.empty())
-        line.given.push_back(
-            {"start-points", {fmt::format("{} dots", options.start_points.size())}});
+        given.push_back({"start-points", {fmt::format("{} dots", options.start_points.size())}});
     if (options.plot_seconds)
-        line.given.push_back({"plot-time", {shortest(*options.plot_seconds) + "s"}});
-    return line;
+        given.push_back({"plot-time", {shortest(*options.plot_seconds) + "s"}});
+    return given;
 }
 
 // Whether dark dots show on the paper: the brightness of its colour.
@@ -149,7 +147,7 @@ double stippling::widest_pen(const StippleOptions& options) {
 
 Stippling stippling::settled(const StippleOptions& options) {
     pictures::check(options.tone);
-    options::refuse_pairs(line_of(options));
+    options::refuse_pairs(options::kStipple, members_set(options));
     if (options.start == Mode::lines)
         throw BadRequest("mode", "lines", "must be stratified, cells or exact");
     check_inks(options);

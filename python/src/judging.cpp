@@ -16,10 +16,10 @@
 
 #include "arrays.h"
 #include "background.h"
+#include "checks/classes.h"
 #include "options.h"
 #include "outlines.h"
 #include "parts.h"
-#include "plan/sheets.h"
 #include "watch.h"
 
 namespace nb = nanobind;

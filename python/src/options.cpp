@@ -111,19 +111,19 @@ options::Moves moves_of(const nb::dict& given) {
 }
 
 void refuse_pairs(const nb::dict& given) {
-    options::CommandLine line{options::kSample, {}};
+    std::vector<options::GivenOption> all;
     const auto arrays = nb::cast<std::vector<std::string>>(given["given"]);
-    for (const Option* option : options::options_of(line.command)) {
+    for (const Option* option : options::options_of(options::kSample)) {
         const std::string name = argument_called(option->name);
         const bool is_array = std::find(arrays.begin(), arrays.end(), name) != arrays.end();
         if (!is_array &&
             (!given.contains(name.c_str()) || given[name.c_str()].is(nb::handle(Py_False))))
             continue;
-        line.given.push_back({option->name, {}});
+        all.push_back({option->name});
         if (!is_array && option->kind != Kind::flag)
-            line.given.back().values.push_back(text_of(given[name.c_str()]));
+            all.back().values.push_back(text_of(given[name.c_str()]));
     }
-    options::refuse_pairs(line);
+    options::refuse_pairs(options::kSample, all);
 }
 
 nb::dict described(const Request& request, const Result& result) {

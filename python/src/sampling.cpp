@@ -20,12 +20,12 @@
 #include <vector>
 
 #include "arrays.h"
+#include "checks/classes.h"
 #include "options.h"
 #include "options/settle.h"
 #include "outlines.h"
 #include "parts.h"
 #include "plan/kept.h"
-#include "plan/sheets.h"
 #include "watch.h"
 
 namespace nb = nanobind;

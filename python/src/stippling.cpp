@@ -41,13 +41,13 @@ StippleOptions options_of(const nb::dict& given, const std::vector<Ink>& inks) {
     read(given, "sharpen", options.tone.sharpen);
     read(given, "sharpen_amount", options.tone.sharpen_amount);
     // The library cannot refuse these: some have one member, and some are nothing without others.
-    options::CommandLine line{options::kStipple, {}};
+    std::vector<options::GivenOption> all;
     for (const char* const name : {"dot-size", "pens", "paper-size", "margin"}) {
         const std::string argument = options::find_option(options::kStipple, name)->key();
         if (given.contains(argument.c_str()))
-            line.given.push_back({name, {nb::cast<std::string>(given[argument.c_str()])}});
+            all.push_back({name, {nb::cast<std::string>(given[argument.c_str()])}});
     }
-    options::refuse_pairs(line);
+    options::refuse_pairs(options::kStipple, all);
     return options;
 }
 

@@ -91,7 +91,7 @@ void add_command(CLI::App& app, options::Commands which, const std::string& desc
                 line.given.push_back({row->name, row->kind == Kind::flag
                                                      ? std::vector<std::string>{}
                                                      : option->results()});
-        options::refuse_pairs(line);
+        options::refuse_pairs(line.command, line.given);
         run(line);
     });
 }
