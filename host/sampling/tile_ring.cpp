@@ -88,8 +88,8 @@ TileRing tile_ring(const Request& request, double width) {
 }
 
 TileRing tile_ring(const Request& request, double width, Observer& observer) {
-    const CheckedRequest checked(request);
     refuse_others(request);
+    const CheckedRequest checked(request);
     check_width(checked, width);
     const Result first = sample(request, observer);
     const Domain& domain = request.domain;

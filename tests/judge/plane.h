@@ -3,6 +3,7 @@
 #pragma once
 
 #include <lacuna/domain.h>
+#include <lacuna/places.h>
 
 #include <cstddef>
 #include <cstdint>
