@@ -10,6 +10,7 @@
 
 #include "base/angle.h"
 #include "base/polling.h"
+#include "plan/sizes.h"
 
 namespace lacuna::drawing {
 namespace {
@@ -143,10 +144,8 @@ void for_each_layer(const files::PointSet& set, const Style& style, const DrawLa
 double dot_diameter(const files::PointSet& set) {
     if (set.radius > 0) return set.radius / 3 * 2;
     // The radius is unknown: dots get the size that they have in a maximal set with as many points.
-    constexpr double kMaximalCountTimesSquaredRadius = 0.69656;
     const auto count = static_cast<double>(std::max<std::size_t>(set.points.size(), 1));
-    const double radius =
-        std::sqrt(kMaximalCountTimesSquaredRadius * set.domain.width * (set.domain.height / count));
+    const double radius = std::sqrt(kTorusDensity * set.domain.width * (set.domain.height / count));
     return std::min({radius, set.domain.width, set.domain.height}) / 3 * 2;
 }
 

@@ -64,7 +64,7 @@ struct PointSet {
     // Least distance; a dot's radius is a third of it. 0 means unknown: then dots are as large as
     // in a maximal set with the same number of points.
     double radius = 0;
-    const Origin* origin = nullptr;  // null: unknown; then is_relaxed is written to .json
+    const Origin* origin = nullptr;  // null: unknown; then a relaxed set is of mode stratified
     bool is_relaxed = false;         // no least distance was kept
     std::optional<Raster>
         on_pixels{};             // whose centres the points are: a png has one pixel for each
@@ -111,9 +111,9 @@ char lower_case(char c);
 // With dots, csv, npy and ply have the columns x, y, (z,) radius, x_mm, y_mm and radius_mm, and
 // json has "dots" before the points. With ellipses these have columns a, b and angle (two radii in
 // the domain's unit, and the angle in radians from the x axis to a), and json has "ellipses". With
-// inks, csv and ply have a last column ink (its name or its
-// index), npy too (its index); json has "inks" and, for each point, its index in "ink". With
-// classes these are called class and "classes". Such an npy is not read again, because a third
+// inks, csv and ply have a last column ink (its name or its index), npy too (its index); json has
+// "inks" and, for each point, its index in "ink". With classes these are called class and
+// "classes". Such an npy is not read again, because a third
 // column may be a third coordinate. The same set gives the same bytes on every call. Throws
 // FileError if a picture cannot be drawn, and BadRequest("output", ...) if the format has no place
 // for the classes, inks or ellipses that the set writes.

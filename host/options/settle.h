@@ -25,8 +25,8 @@ struct Choices {
 // ellipses, and otherwise 0.
 std::uint32_t relax_of(const Choices& given);
 
-// Decides the mode and the metric. The sizes of `request`, its field and what limits it must be set
-// before.
+// Decides the mode and the metric. The sizes and limits of `request` must be set before; its field
+// need not be, as `given` says whether there are ellipses or a picture.
 //   - Points that will be relaxed begin stratified, if nothing was given that is about distances:
 //     radius, scale, metric, limit, lines per radius or round size. Inks always do.
 //   - Samples on pixels are of mode pixels. Without a domain it has as many units as pixels.

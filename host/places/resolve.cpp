@@ -60,7 +60,8 @@ double least_radius(const Request& request, std::span<const PolygonSet> sets) {
     if (!request.count || *request.count == 0) return request.domain.longer_side() / 1000;
     const Mask mask = coarse_places(request, sets);
     Request trial = request;
-    if (allows_some(mask)) trial.mask = &mask;  // otherwise other classes decide, or nothing does
+    // If these outlines leave no room, the other classes' room decides, or the set will be empty.
+    if (allows_some(mask)) trial.mask = &mask;
     return radius_field_scale_for_count(trial, static_cast<double>(*request.count)) /
            std::sqrt(greatest);
 }

@@ -42,7 +42,7 @@ struct GridOfEllipses {
     double unit_y;
     std::uint32_t more;
     double most;
-    double lost = 0;  // lost_at_corner() of plan/corner.h
+    double lost = 0;  // lost_at_corner() of checks/domain.h
 };
 RoundedEllipse rounded(const Ellipse& radii, const GridOfEllipses& grid);
 

@@ -61,7 +61,7 @@ public:
         double unit() const { return unit_x < unit_y ? unit_x : unit_y; }
         // All bits that x may have on one copy (plan/class_copies.h). The field is the same on all.
         std::uint32_t last_on_copy = ~std::uint32_t{0} >> 1;
-        double lost = 0;  // by which radii are longer: lost_at_corner() of plan/corner.h
+        double lost = 0;  // by which radii are longer: lost_at_corner() of checks/domain.h
     };
 
     // Without a field the radius is `scale` everywhere.

@@ -12,7 +12,7 @@ namespace lacuna {
 
 struct RadiusMap {
     // A step of the lattice in the user's units, and by how much radii are longer:
-    // lost_at_corner() of plan/corner.h.
+    // lost_at_corner() of checks/domain.h.
     struct Step {
         double length;
         double lost = 0;

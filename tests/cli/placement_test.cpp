@@ -230,22 +230,12 @@ TEST_F(Placement, OfDistancesMayNameItsClassesInAnyFormat) {
         EXPECT_EQ(made(same, "trees", "rocks").out, expected) << same;
     EXPECT_EQ(made("trees,rocks\n0.2,0.1\n0.1,0.3\n", "rocks", "trees").out,
               made("0.3,0.1\n0.1,0.2\n", "rocks", "trees").out);
-    const std::string begin = "lacuna: " + matrix;
-    EXPECT_EQ(made("a;2,5;1\nb;1;3\n", "a", "b").err,
-              begin + ":1: column 2 is \"2,5\": must be a finite number, such as 0.25\n");
-    EXPECT_EQ(made("a,x\n2,1\n1,3\n", "a", "b").err,
-              begin + ":3: \"x\" must be a number, such as 0.25, or a class (a or b)\n");
-    EXPECT_EQ(made("a,a\n2,1\n1,3\n", "a", "b").err,
-              begin + ": must name each class once, or none\n");
 }
 
 TEST_F(Placement, OfStrokesAndObstaclesIsReadFromTheirFiles) {
     const std::string map = file("map.svg",
                                  "<svg viewBox='0 0 60 40'><g stroke='black' "
                                  "stroke-width='8'><line x1='30' x2='30' y2='40'/></g></svg>");
-    const std::string circle =
-        file("circle.svg", "<svg viewBox='0 0 60 40'><circle cx='10' cy='30' r='5'/></svg>");
-    const std::string still = file("still.csv", "x,y,radius\n0.5,0.9,0\n");
     const std::string out = folder_.path("a.csv");
     const auto made = [&](const Words& options) {
         return run(joined({"sample", "--radius", "1", "--quiet", "-o", out}, options)).err;
@@ -256,19 +246,6 @@ TEST_F(Placement, OfStrokesAndObstaclesIsReadFromTheirFiles) {
         for (const Point& point : files::read_points(out).points)
             EXPECT_EQ(std::abs(point.x - 60) < 8, std::string(option) == "--near") << point.x;
     }
-    EXPECT_EQ(
-        made({"--avoid", map + ":stroke", "--domain", "60x50"}),
-        "lacuna: --avoid with strokes: the domain must have the shape of the page, or strokes "
-        "are not equally wide everywhere\n");
-    EXPECT_EQ(
-        made({"--near", "a.txt:stroke"}),
-        "lacuna: --near a.txt:stroke: must be an .svg, which says how wide its strokes are\n");
-    EXPECT_EQ(
-        made({"--avoid", circle + ":stroke"}),
-        "lacuna: " + circle + ": no line with a stroke: there must be one, or give FILE:WIDTH\n");
-    EXPECT_EQ(made({"--near", still}),
-              "lacuna: --near " + still +
-                  ": must have a point with a distance over 0, or points may lie nowhere\n");
     expect_has(run({"sample", "--class", "a:1", "--inside", "a:" + lake_, "-o", out, "--report",
                     lake_ + ".json"})
                    .err,

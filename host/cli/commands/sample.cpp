@@ -140,7 +140,8 @@ Targets targets_of(SampleCommand& all) {
                     {"mode", &all.given.mode},
                     {"relax", &all.given.relax},
                     {"ellipse-columns", &all.ellipse_columns}};
-    targets.merge(targets_of(all.domain));  // before the request, which knows no border of a class
+    // merge() keeps the first target of a name: --border is read as texts, which may be NAME:D.
+    targets.merge(targets_of(all.domain));
     targets.merge(targets_of(all.common));
     targets.merge(targets_of(all.drawing));
     targets.merge(options::targets_of(all.moves));

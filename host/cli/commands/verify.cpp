@@ -252,7 +252,8 @@ Targets targets_of(VerifyCommand& all) {
     Targets targets{{"FILE", &all.files},          {"torus", &all.torus},
                     {"tolerance", &all.tolerance}, {"distances-only", &all.distances_only},
                     {"json", &all.json},           {"quiet", &all.quiet}};
-    targets.merge(targets_of(all.domain));  // before the request, which knows no border of a class
+    // merge() keeps the first target of a name: --border is read as texts, which may be NAME:D.
+    targets.merge(targets_of(all.domain));
     targets.merge(options::targets_of(all.request));
     return targets;
 }

@@ -1,5 +1,4 @@
-// Options that several commands have, and the run that `lacuna sample` and `lacuna stipple` have in
-// common.
+// Options that several commands have, their outputs, and the run of `lacuna sample`.
 #pragma once
 
 #include <lacuna/lacuna.h>

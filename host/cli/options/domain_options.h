@@ -96,8 +96,9 @@ struct DomainOptions {
     std::optional<double> edge;
     std::string keep;
     options::ClassOptions classes;
-    std::vector<std::string> known_classes;  // that files may be given for, if --class is not
-    std::vector<std::string> borders;        // D or NAME:D
+    // The names of the first .json, where --class is not given: files may be given for these.
+    std::vector<std::string> known_classes;
+    std::vector<std::string> borders;  // D or NAME:D
     bool inside_by_radius = false;
 };
 
@@ -146,8 +147,8 @@ nlohmann::ordered_json json_of(const DomainOptions& options, const Request& requ
 std::vector<double> dots_of(const Request& request, std::span<const Point> points,
                             stippling::Spread spread);
 
-// What a .json says of the options that its set was made with, for `lacuna verify`: values are used
-// where no option is given, and files are asked for.
+// The next three are for `lacuna verify` of a .json: what it says of the options that its set was
+// made with is used where no option is given, and files are asked for.
 
 // Throws BadUsage if the set in `file` was made with a picture, polygons, obstacles or neighbours
 // that the command was not given, or with another tone of the field. For distances alone only

@@ -19,7 +19,8 @@
 namespace lacuna::cli {
 
 struct DrawingOptions {
-    std::optional<Pens> pens;  // unset: dots have as much ink as the picture
+    // Unset: dots have as much ink as the picture or, without one, two thirds of the radius.
+    std::optional<Pens> pens;
     std::optional<Paper> paper;
     std::optional<double> pixels_per_inch;  // unset: as many as show the dots
     bool are_given = false;                 // any of them, so that files have columns for dots

@@ -1,4 +1,4 @@
-// Relaxes points under a progress bar, for `lacuna relax` and for --relax of sample and stipple.
+// Relaxes points under a progress bar, for `lacuna relax`; and what reports say of relaxing.
 #pragma once
 
 #include <lacuna/lacuna.h>

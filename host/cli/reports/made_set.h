@@ -12,7 +12,7 @@ namespace lacuna::cli {
 
 struct Showing {
     bool ellipse_columns;    // --ellipse-columns
-    bool is_sized_by_radii;  // dots are two thirds of their ellipse, and no tone of a picture
+    bool is_sized_by_radii;  // each dot is two thirds of its ellipse; the field is no picture
 };
 
 // Refers to the request, the result and the origin, which must outlive it.

@@ -32,9 +32,8 @@
 //   - With classes the limit of two points, or of a point and a spot for one more point of a class,
 //     is multiplied by the distance of their two classes, as a share of the least one.
 //   - Points to keep are the first of the set, in their order, and equal to the last bit. Those
-//   that
-//     lie outside of a box are its neighbours instead: they are no points of the set, but distances
-//     to them must be kept, and they cover spots.
+//     that lie outside of a box are its neighbours instead: they are no points of the set, but
+//     distances to them must be kept, and they cover spots.
 //   - Gaps, pixels and polygons are searched with the domain's corner as (0, 0). `largest_gap` is
 //     rounded to doubles when the corner is added.
 //   - The work grows nearly linearly with the number of points, however crowded they are.
@@ -81,10 +80,9 @@ struct Claim {
     const Mask* mask = nullptr;
     double border = 0;
 
-    // Classes of points, as in Request. No two points may be closer
-    // than the distance of their classes, and no spot may be left where a point of any class with a
-    // weight, and without a count, has room. With a radius or scale the distances are in
-    // proportion, as in Request.
+    // Classes of points, as in Request. No two points may be closer than the distance of their
+    // classes, and no spot may be left where a point of any class with a weight, and without a
+    // count, has room. With a radius or scale the distances are in proportion, as in Request.
     Classes classes{};
     std::span<const std::uint8_t> class_of_points{};  // of each point: its place in the names
 
