@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "base/number_text.h"
+#include "checks/classes.h"
 
 namespace lacuna::c {
 namespace {
@@ -120,7 +121,7 @@ void ClassesAndBorders::take_to(Request& request) const {
         throw BadRequest("between", shown(classes_.between),
                          "must be sum or union, as lacuna.h reads no files");
     request.classes = options::read_classes(classes_, nullptr);
-    options::take_size_of_classes(request);
+    take_size_of_classes(request);
     options::take_borders(borders_, request);
     request.places.border_by_radius = inside_by_radius_;
 }

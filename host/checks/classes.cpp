@@ -68,6 +68,17 @@ double least_distance_of(const Classes& classes) {
     return least;
 }
 
+void take_size_of_classes(Request& request) {
+    std::optional<double>& size = request.field != nullptr ? request.scale : request.radius;
+    if (request.classes.names.empty() || request.count || size) return;
+    size = least_distance_of(request.classes);
+}
+
+double size_of(const Claim& claim) {
+    const double size = claim.field != nullptr ? claim.scale : claim.radius;
+    return size > 0 || claim.classes.names.empty() ? size : least_distance_of(claim.classes);
+}
+
 double distance_factor(const Request& request, const Result& result) {
     const double size = request.field != nullptr ? result.scale : result.radius;
     return size / least_distance_of(request.classes);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lacuna/lacuna.h>
+#include <lacuna/verify.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +17,12 @@ std::vector<double> distances_of(const Classes& classes);
 // The least distance that is not 0, in the request's unit, which Request::radius or scale stand
 // for. Infinite if there is none.
 double least_distance_of(const Classes& classes);
+// Gives a request of classes their least distance as its radius, or with a field as its scale,
+// unless it has one or a count.
+void take_size_of_classes(Request& request);
+// The radius of a claim, or with a field its scale; with classes their least distance, unless the
+// claim has one.
+double size_of(const Claim& claim);
 // The distances that classes keep in a set, over those of its request: not 1 if the request has a
 // count, or a radius or scale of its own.
 double distance_factor(const Request& request, const Result& result);

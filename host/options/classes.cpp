@@ -88,12 +88,6 @@ Classes read_classes(const ClassOptions& options,
     return classes;
 }
 
-void take_size_of_classes(Request& request) {
-    std::optional<double>& size = request.field != nullptr ? request.scale : request.radius;
-    if (request.classes.names.empty() || request.count || size) return;
-    size = least_distance_of(request.classes);
-}
-
 std::string among_names(const std::vector<std::string>& names) {
     if (names.empty()) return "";
     return " (" + listed(std::vector<std::string_view>(names.begin(), names.end())) + ")";

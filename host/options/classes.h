@@ -21,10 +21,6 @@ Classes read_classes(const ClassOptions& options,
                      std::vector<double> (*read_matrix)(const std::string& path,
                                                         const std::vector<std::string>& names));
 
-// Gives a request of classes a radius or, with a field, a scale: their least distance, unless the
-// request has one already, or a count.
-void take_size_of_classes(Request& request);
-
 // The names of classes for the end of a message, as in " (trees or grass)"; empty if there are
 // none.
 std::string among_names(const std::vector<std::string>& names);

@@ -29,6 +29,10 @@ struct Pairs {
 constexpr std::string_view kReading =
     "invert black white background auto-levels sharpen along light gamma min-importance";
 
+constexpr std::string_view kOutlines = "inside outside avoid near";  // the names of kRoles
+constexpr std::string_view kWhereNoneMayLie =
+    "it would move points to where none may lie, and points that are kept";
+
 constexpr Pairs kPairs[] = {
     // Pictures and ellipses
     {kSample | kVerify, kReading, Needs::one_of, "field",
@@ -49,10 +53,9 @@ constexpr Pairs kPairs[] = {
     // Classes and places
     {kSample | kVerify, "between", Needs::one_of, "class", "is for classes of points"},
     {kSample, "radius scale", Needs::none_of, "class", "each class has a radius of its own"},
-    {kSample | kVerify, "edge", Needs::one_of, "inside outside avoid near",
+    {kSample | kVerify, "edge", Needs::one_of, kOutlines,
      "is for the outlines in these files: give one too"},
-    {kSample | kVerify, "mask", Needs::none_of, "inside outside avoid near",
-     "draw these into the picture"},
+    {kSample | kVerify, "mask", Needs::none_of, kOutlines, "draw these into the picture"},
     {kSample | kVerify, "inside-by-radius", Needs::none_of, "border", "both say how far to stay"},
     {kSample, "inside-by-radius", Needs::none_of, "on-pixels", "its samples keep no distance"},
     {kSample | kVerify, "inside-by-radius", Needs::none_of, "count",
@@ -77,9 +80,9 @@ constexpr Pairs kPairs[] = {
     // Moving points
     {kSample, "relax gaussian", Needs::none_of, "progressive", "it moves the points"},
     {kSample, "relax gaussian", Needs::none_of, "seeds", "relax each file with lacuna relax"},
-    {kSample, "relax gaussian", Needs::none_of,
-     "mask inside outside avoid near border inside-by-radius keep",
-     "it would move points to where none may lie, and points that are kept"},
+    {kSample, "relax gaussian", Needs::none_of, kOutlines, kWhereNoneMayLie},
+    {kSample, "relax gaussian", Needs::none_of, "mask border inside-by-radius keep",
+     kWhereNoneMayLie},
     {kSample, "relax gaussian", Needs::none_of, "class", "it keeps no distances"},
     {kSample, "relax gaussian", Needs::none_of, "ellipses stretch along", "relaxing has disks"},
     {kStipple | kCompare, "along", Needs::none_of, "relax", "relaxing has disks"},

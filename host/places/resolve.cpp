@@ -135,8 +135,7 @@ Resolved resolve(const Request& given) {
         throw BadRequest("mask", "with " + std::string(name_of(places.outlines.front().role)),
                          "draw these into the picture");
     if (!classes.names.empty() && !request.count) check_distances(classes);
-    std::optional<double>& size = request.field != nullptr ? request.scale : request.radius;
-    if (!classes.names.empty() && !size && !request.count) size = least_distance_of(classes);
+    take_size_of_classes(request);
     const places::Sets sets(places, request.domain, request.border, classes);
     resolved.edge = places.edge ? *places.edge : usual_edge(request, sets.most());
     const auto masks = std::make_shared<const std::vector<Mask>>(

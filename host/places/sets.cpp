@@ -195,8 +195,7 @@ std::shared_ptr<const Claim> settled(const Claim& given) {
         take_border_by_radius(given.radius > 0 ? std::optional(given.radius) : std::nullopt,
                               given.domain, claim->border, claim->classes);
     if (has_edge) return claim;
-    double least = given.field != nullptr ? given.scale : given.radius;
-    if (least == 0) least = least_distance_of(given.classes);
+    double least = size_of(given);
     if (given.field != nullptr) {
         const std::vector<double>& importance = given.field->importance;
         least /= std::sqrt(*std::max_element(importance.begin(), importance.end()));

@@ -158,8 +158,7 @@ CheckedRequest::CheckedRequest(const Request& given) : resolved_(resolve(given))
     Request& request = resolved_.request;
     check_request(request);
     Classes& classes = request.classes;
-    std::optional<double>& size = request.field != nullptr ? request.scale : request.radius;
-    if (!classes.names.empty() && !size && !request.count) size = least_distance_of(classes);
+    take_size_of_classes(request);
     if (classes.names.size() == 1) {
         request.border = border_of(request, 0);
         request.mask = mask_of(request, 0);

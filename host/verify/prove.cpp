@@ -188,12 +188,6 @@ void prove_on_ellipses(std::span<const Point> points, const Claim& claim,
         });
 }
 
-// The radius, or with a field the scale; with classes the least distance, unless the claim has one.
-double size_of(const Claim& claim) {
-    const double size = claim.field != nullptr ? claim.scale : claim.radius;
-    return size > 0 || claim.classes.names.empty() ? size : least_distance_of(claim.classes);
-}
-
 // The points of a set, and its neighbours behind them.
 class WithNeighbours {
 public:

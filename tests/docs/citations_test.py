@@ -103,7 +103,7 @@ def main() -> int:
     faults += [(page, fault) for page in PAGES for fault in wrong_paths(page, page.read_text())]
     faults += [(path, fault) for path in code for fault in wrong_files(path.parent, path.read_text())]
     for folder in APART:
-        faults += [(path, fault) for path in sorted((ROOT / folder).glob("*"))
+        faults += [(path, fault) for path in sorted((ROOT / folder).rglob("*.*"))
                    for fault in shared(folder, path.read_text())]
     cpp = ROOT / "docs" / "cpp.md"
     named = cpp.read_text()

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace many_test {
@@ -67,19 +68,21 @@ std::size_t peak() {
 }
 
 TEST(SampleMany, NeedsNoMoreMemoryForMoreSeeds) {
-    const auto make = [](std::uint64_t first, std::uint64_t count) {
+    const auto make = [](double radius, std::uint64_t first, std::uint64_t count) {
         Seeds seeds(count);
         std::iota(seeds.begin(), seeds.end(), first);
         std::size_t points = 0;
-        sample_many(request_of(0.02), seeds,
+        sample_many(request_of(radius), seeds,
                     [&](std::uint64_t, const Result& set) { points += set.points.size(); });
         return points * sizeof(Point);
     };
-    make(0, 500);
-    const std::size_t before = peak();
-    const std::size_t made = make(500, 1500);
-    EXPECT_GT(made, std::size_t{39} << 20);
-    EXPECT_LT(peak() - before, made / 8);
+    for (const auto& [radius, sets] : {std::pair{0.004, 20U}, std::pair{0.02, 500U}}) {
+        make(radius, 0, sets);
+        const std::size_t before = peak();
+        const std::size_t made = make(radius, sets, 3 * sets);
+        EXPECT_GT(made, std::size_t{39} << 20);
+        EXPECT_LT(peak() - before, made / 8);
+    }
 }
 
 TEST(SampleMany, RefusesWhatSampleRefuses) {

@@ -24,10 +24,7 @@
 #include "cli/options/relaxation.h"
 #include "cli/reports/output.h"
 #include "cli/reports/report.h"
-#include "cli/terminal/driver.h"
 #include "cli/terminal/interruption.h"
-#include "cli/terminal/observers.h"
-#include "cli/terminal/progress_bar.h"
 #include "cli/terminal/run_program.h"
 #include "drawing/picture.h"
 #include "files/point_files.h"
@@ -139,19 +136,6 @@ std::vector<Output> checked_outputs(const CommandLine& line, const StippleComman
     return outputs;
 }
 
-// Makes the dots under a progress bar.
-Stippling make(const CommonOptions& common, const std::string& image, const StippleOptions& options,
-               Finished& made) {
-    const lacuna::Picture picture = read_picture(image);
-    ProgressBar bar(common.quiet);
-    DriverAtWork driver(options.request.run_on.backend);
-    Observers observers({driver, made.stopwatch, bar});
-    Stippling stippling = stipple(picture, options, observers);
-    made.seconds = made.stopwatch.seconds_so_far();
-    made.result = stippling.result;
-    return stippling;
-}
-
 // The pens of --dot-size or --pens, if no ink has one of its own.
 std::optional<Pens> pens_of_all_inks(const StippleOptions& options) {
     for (const Ink& ink : options.inks)
@@ -239,9 +223,13 @@ std::vector<Point> run_one(const CommandLine& line, const StippleCommand& all) {
     const DrawingOptions drawing = checked_drawing(
         line, {pens_of_all_inks(options), options.paper, all.pixels_per_inch}, outputs);
     CommonOptions common = all.common;
+    common.request = options.request;
     Interruption interruption;
     Finished made{.stopwatch = Stopwatch(!common.report.empty())};
-    const Stippling dots = make(common, all.image, options, made);
+    const lacuna::Picture picture = read_picture(all.image);
+    const Stippling dots = watched(
+        common, made, [&](Observer& observer) { return stipple(picture, options, observer); });
+    made.result = dots.result;
     const Request& request = common.request = dots.request;
     if (!common.quiet && options.start_points.empty())
         warn_of_ink(drawing, {.dots = made.result.points.size(),

@@ -10,9 +10,6 @@
 
 #include "checks/classes.h"
 #include "cli/reports/output.h"
-#include "cli/terminal/driver.h"
-#include "cli/terminal/observers.h"
-#include "cli/terminal/progress_bar.h"
 #include "cli/terminal/run_program.h"
 #include "options/read.h"
 #include "pictures/image.h"
@@ -61,13 +58,11 @@ std::vector<Output> checked_outputs(const CommonOptions& options,
 Finished make(const CommonOptions& options, options::Moves moves) {
     Finished made{.stopwatch = Stopwatch(!options.report.empty())};
     moves.measure = !options.report.empty();
-    ProgressBar bar(options.quiet);
-    DriverAtWork driver(options.request.run_on.backend);
-    Observers observers({driver, made.stopwatch, bar});
-    options::Made set = options::make(options.request, moves, observers);
+    options::Made set = watched(options, made, [&](Observer& observer) {
+        return options::make(options.request, moves, observer);
+    });
     made.result = std::move(set.result);
     made.relaxed = std::move(set.relaxed);
-    made.seconds = made.stopwatch.seconds_so_far();
     return made;
 }
 

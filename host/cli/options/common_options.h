@@ -11,7 +11,9 @@
 #include "cli/options/bind.h"
 #include "cli/options/given_files.h"
 #include "cli/reports/output.h"
+#include "cli/terminal/driver.h"
 #include "cli/terminal/observers.h"
+#include "cli/terminal/progress_bar.h"
 #include "files/point_files.h"
 #include "options/make.h"
 #include "pictures/importance.h"
@@ -55,6 +57,18 @@ struct Finished {
     double seconds = 0;
     std::optional<Relaxed> relaxed{};  // how the points were moved, without the points
 };
+
+// Returns work(observer), under a progress bar and with the driver of the backend watched. Sets the
+// time that the run has taken.
+template <class Work>
+auto watched(const CommonOptions& options, Finished& made, const Work& work) {
+    ProgressBar bar(options.quiet);
+    DriverAtWork driver(options.request.run_on.backend);
+    Observers observers({driver, made.stopwatch, bar});
+    auto done = work(observers);
+    made.seconds = made.stopwatch.seconds_so_far();
+    return done;
+}
 
 // Makes the set under a progress bar. Evenness is measured if there is a report. Throws what
 // options::make throws.

@@ -118,7 +118,7 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
         }
     if (!has_shape && !outlines.empty()) give_shape(domain_around(request.places));
     read_masks(options, give_shape, request, files);
-    options::take_size_of_classes(request);
+    take_size_of_classes(request);
     if (options.keep.empty()) return;
     if (request.classes.names.empty()) {
         files.keep = files::read_points(options.keep).points;

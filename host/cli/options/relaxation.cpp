@@ -9,9 +9,6 @@
 #include <utility>
 
 #include "cli/reports/report.h"
-#include "cli/terminal/driver.h"
-#include "cli/terminal/observers.h"
-#include "cli/terminal/progress_bar.h"
 #include "files/formats.h"
 
 namespace lacuna::cli {
@@ -25,13 +22,9 @@ Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& 
                         const RelaxOptions& options, const Field* field, Finished& made) {
     Relaxation relaxation{options, {}, std::nullopt};
     relaxation.options.measure = !common.report.empty();
-    {
-        ProgressBar bar(common.quiet);
-        DriverAtWork driver(options.run_on.backend);
-        Observers observers({driver, made.stopwatch, bar});
-        relaxation.relaxed = relax(made.result.points, field, relaxation.options, observers);
-    }
-    made.seconds = made.stopwatch.seconds_so_far();
+    relaxation.relaxed = watched(common, made, [&](Observer& observer) {
+        return relax(made.result.points, field, relaxation.options, observer);
+    });
     made.result.points = std::move(relaxation.relaxed.points);
     made.result.backend = relaxation.relaxed.backend;  // a stratified start has none
     made.result.device = relaxation.relaxed.device;

@@ -147,7 +147,7 @@ Proof prove(std::span<const Point> points, const Claim& claim,
 //   - Gaps are looked for in maximal sets of mode exact alone; other sets promise distances.
 //   - In mode lines without snap the distance is radius * (1 - 1 / (2 * lines_per_radius)).
 //   - Sets of mode stratified promise no more than Result::radius, which is 0 unless
-//     least_distance() or recipes set it; prove() refuses the claim of a radius of 0.
+//     least_distance() or relaxing sets it; prove() refuses the claim of a radius of 0.
 // The field, mask and kept points of the request and the classes of the result must outlive the
 // claim.
 Claim claim_of(const Request& request, const Result& result);
