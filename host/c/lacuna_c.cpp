@@ -19,6 +19,7 @@
 #include "base/number_text.h"
 #include "c/given.h"
 #include "checks/classes.h"
+#include "options/claim.h"
 #include "options/make.h"
 #include "options/read_text.h"
 #include "options/settle.h"
@@ -177,11 +178,12 @@ std::string lack_of(const Proof& proof, const Claim& claim) {
 int verified(const char* options, const lacuna_given* given, const double* points,
              std::size_t count) {
     Request request;
-    Claim claim;
+    std::optional<double> tolerance;
+    bool distances_only = false;
     c::ClassesAndBorders classes;
     options::Targets targets = options::targets_of(request);
-    targets["tolerance"] = &claim.tolerance;
-    targets["distances-only"] = &claim.distances_only;
+    targets["tolerance"] = &tolerance;
+    targets["distances-only"] = &distances_only;
     classes.add_to(targets);
     const options::CommandLine line =
         options::read_text(options::kVerify, options, targets, c::names_of(given, "field"));
@@ -190,19 +192,11 @@ int verified(const char* options, const lacuna_given* given, const double* point
     if (!(request.field != nullptr ? request.scale : request.radius))
         throw BadRequest(request.field != nullptr ? "scale" : "radius", "missing",
                          "give the distance that points should keep");
-    claim.radius = request.radius.value_or(0);
-    claim.scale = request.scale.value_or(0);
-    claim.domain = request.domain;
-    claim.field = request.field;
-    claim.places = request.places;
-    claim.mask = request.mask;
-    claim.border = request.border;
-    claim.classes = request.classes;
-    claim.distances_only |= !has_open_class(request.classes);
+    Claim claim = options::claim_of(request);
+    claim.tolerance = tolerance;
+    claim.distances_only = distances_only || !has_open_class(request.classes);
     if (given != nullptr && given->classes != nullptr)
         claim.class_of_points = {given->classes, count};
-    claim.keep = request.keep;
-    claim.keep_classes = request.keep_classes;
     Watched observer;
     const std::uint64_t all = count;
     const Proof proof = prove(c::points_of("points", points, count), claim, [&] {

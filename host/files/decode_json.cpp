@@ -15,6 +15,7 @@
 #include "files/parse.h"
 #include "files/point_columns.h"
 #include "files/read_points.h"
+#include "options/words.h"
 
 namespace lacuna::files {
 namespace {
@@ -171,10 +172,8 @@ std::vector<Level> levels_of(const Json& header, std::size_t points, const std::
 Origin origin_of(const Json& header, std::size_t points, const std::string& name) {
     Origin origin;
     origin.scale = size_of(header, "scale", name).value_or(0);
-    if (const Json& said = member_of(header, "mode"); said.is_string())
-        for (const Mode mode :
-             {Mode::exact, Mode::lines, Mode::cells, Mode::stratified, Mode::pixels})
-            if (said.get_ref<const std::string&>() == name_of(mode)) origin.mode = mode;
+    if (const Json& mode = member_of(header, "mode"); mode.is_string())
+        origin.mode = options::named<Mode>(mode.get_ref<const std::string&>());
     if (const Json& maximal = member_of(header, "maximal"); maximal.is_boolean())
         origin.maximal = maximal.get<bool>();
     origin.values = values_of(member_of(header, "options"));

@@ -1,5 +1,5 @@
 // What a set of a request promises.
-#include <lacuna/verify.h>
+#include "options/claim.h"
 
 namespace lacuna {
 namespace {
@@ -12,22 +12,30 @@ double kept_distance(const Request& request, const Result& result) {
 
 }  // namespace
 
-Claim claim_of(const Request& request, const Result& result) {
+Claim options::claim_of(const Request& request) {
     Claim claim;
+    claim.radius = request.radius.value_or(0);
+    claim.scale = request.scale.value_or(0);
     claim.domain = request.domain;
-    claim.radius = kept_distance(request, result);
-    claim.distances_only = !result.maximal || request.mode != Mode::exact;
-    if (request.mode == Mode::stratified || request.mode == Mode::pixels) return claim;
     claim.field = request.field;
-    claim.scale = request.field != nullptr ? result.scale : 0;
     claim.places = request.places;
-    claim.places.edge = result.edge;
     claim.mask = request.mask;
     claim.border = request.border;
     claim.classes = request.classes;
-    claim.class_of_points = result.classes;
     claim.keep = request.keep;
     claim.keep_classes = request.keep_classes;
+    return claim;
+}
+
+Claim claim_of(const Request& request, const Result& result) {
+    const bool is_of_distances = request.mode == Mode::stratified || request.mode == Mode::pixels;
+    Claim claim = options::claim_of(is_of_distances ? Request{.domain = request.domain} : request);
+    claim.radius = kept_distance(request, result);
+    claim.distances_only = !result.maximal || request.mode != Mode::exact;
+    if (is_of_distances) return claim;
+    claim.scale = request.field != nullptr ? result.scale : 0;
+    claim.places.edge = result.edge;
+    claim.class_of_points = result.classes;
     return claim;
 }
 

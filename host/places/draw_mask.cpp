@@ -20,6 +20,7 @@
 #include "base/number_text.h"
 #include "base/polling.h"
 #include "checks/domain.h"
+#include "checks/numbers.h"
 #include "places/draw_tree.h"
 #include "places/fair.h"
 #include "plan/mask_tree.h"
@@ -42,8 +43,7 @@ double pixels_along(double length, double edge, double longer) {
 
 places::Canvas canvas_of(const Domain& domain, double edge) {
     check_domain(domain);
-    if (!std::isfinite(edge) || !(edge > 0))
-        throw BadRequest("edge", shortest(edge), "must be a finite number greater than 0");
+    check_positive("edge", edge);
     const double longer = domain.longer_side();
     if (edge < longer * kLeastEdge)
         throw BadRequest("edge", shortest(edge),
@@ -87,8 +87,7 @@ struct Extent {
 };
 
 void check(const PolygonSet& set) {
-    if (!(set.distance >= 0 && std::isfinite(set.distance)))
-        throw BadRequest("border", shortest(set.distance), "must be a finite number of at least 0");
+    check_at_least_0("border", set.distance);
     for (std::size_t i = 0; i < set.rings.size(); ++i)
         for (const Point& point : set.rings[i])
             if (ask_after(); !places::is_fair(point))

@@ -8,6 +8,7 @@
 #include "base/number_text.h"
 #include "base/polling.h"
 #include "checks/classes.h"
+#include "checks/numbers.h"
 
 namespace lacuna {
 
@@ -57,11 +58,6 @@ double scale_of_page(const Polygons& polygons, Role role, const Domain& domain) 
                          "the domain must have the shape of the page, or strokes are not equally "
                          "wide everywhere");
     return along;
-}
-
-void check_at_least_0(const char* option, double value) {
-    if (!std::isfinite(value) || value < 0)
-        throw BadRequest(option, shortest(value), "must be a finite number of at least 0");
 }
 
 // Adds the images of the last rings around a torus. Each image is a set of its own, because where

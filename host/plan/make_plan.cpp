@@ -1,5 +1,6 @@
 // Turns a checked request into whole numbers: the modes of lines, and what all modes have.
 #include "plan/make_plan.h"
+#include "checks/numbers.h"
 
 #include <unistd.h>
 
@@ -69,8 +70,7 @@ double largest_radius(const Request& request) {
 void check_radius(const Request& request) {
     const double radius = *request.radius;
     const double longer = request.domain.longer_side();
-    if (!std::isfinite(radius) || radius <= 0)
-        throw BadRequest("radius", shortest(radius), "must be a finite number greater than 0");
+    check_positive("radius", radius);
     if (radius > largest_radius(request))
         throw BadRequest("radius", shortest(radius),
                          "must be at most " + shortest(largest_radius(request)) +

@@ -8,6 +8,7 @@
 
 #include "base/number_text.h"
 #include "checks/domain.h"
+#include "checks/numbers.h"
 #include "plan/checked_request.h"
 #include "plan/make_plan.h"
 #include "plan/plan.h"
@@ -106,8 +107,7 @@ double scale_for_count(const Request& request, const FieldSums& sums, std::uint6
 Plan make_cells_plan(const CheckedRequest& checked, const FieldSums& sums, const Poll& poll) {
     const Request& request = *checked;
     const double scale = *request.scale;
-    if (!std::isfinite(scale) || scale <= 0)
-        throw BadRequest("scale", shortest(scale), "must be a finite number greater than 0");
+    check_positive("scale", scale);
     const LatticeOfPlan lattice = lattice_of(request, sums, scale);
     const double expected =
         samples_at_radius_one(request, sums) / (lattice.least_radius * lattice.least_radius);

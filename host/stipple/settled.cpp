@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/number_text.h"
+#include "checks/numbers.h"
 #include "drawing/picture.h"
 #include "files/point_files.h"
 #include "options/make.h"
@@ -121,17 +122,13 @@ void check_pens(const StippleOptions& options) {
 }
 
 void check_plotter(const StippleOptions& options) {
-    const auto check = [](const char* name, double seconds) {
-        if (!(seconds >= 0 && std::isfinite(seconds)))
-            throw BadRequest(name, shortest(seconds), "must be a finite number of at least 0");
-    };
     const auto& [per_dot, per_metre_down, per_metre_up, per_corner] = options.plotter;
-    check("seconds-per-dot", per_dot);
-    check("seconds-per-metre-down", per_metre_down);
-    check("seconds-per-metre-up", per_metre_up);
-    check("seconds-per-corner", per_corner);
+    check_at_least_0("seconds-per-dot", per_dot);
+    check_at_least_0("seconds-per-metre-down", per_metre_down);
+    check_at_least_0("seconds-per-metre-up", per_metre_up);
+    check_at_least_0("seconds-per-corner", per_corner);
     if (!options.plot_seconds) return;
-    check("plot-time", *options.plot_seconds);
+    check_at_least_0("plot-time", *options.plot_seconds);
     if (per_dot == 0 && per_metre_down == 0 && per_metre_up == 0)
         throw BadRequest("plot-time", shortest(*options.plot_seconds),
                          "needs a plotter that takes more than 0 seconds");

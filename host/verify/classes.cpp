@@ -70,7 +70,7 @@ private:
 bool has_own_places(const Claim& claim) {
     const auto is_own = [](const lacuna::Outline& outline) { return !outline.of_class.empty(); };
     const std::vector<lacuna::Outline>& outlines = claim.places.outlines;
-    return !claim.classes.borders.empty() || !claim.classes.masks.empty() ||
+    return lacuna::has_own_places(claim.classes) ||
            std::any_of(outlines.begin(), outlines.end(), is_own);
 }
 

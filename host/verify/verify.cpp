@@ -13,22 +13,13 @@
 #include "base/number_text.h"
 #include "checks/classes.h"
 #include "checks/domain.h"
+#include "checks/numbers.h"
 #include "checks/pixels.h"
 #include "places/sets.h"
 #include "verify/neighbours.h"
 
 namespace lacuna::verify {
 namespace {
-
-void check_positive(const char* option, double value) {
-    if (!std::isfinite(value) || value <= 0)
-        throw BadRequest(option, shortest(value), "must be a finite number greater than 0");
-}
-
-void check_at_least_0(const char* option, double value) {
-    if (!std::isfinite(value) || value < 0)
-        throw BadRequest(option, shortest(value), "must be a finite number of at least 0");
-}
 
 void check_mask(const Mask* mask) {
     if (mask == nullptr) return;

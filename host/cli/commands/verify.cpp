@@ -24,6 +24,7 @@
 #include "files/point_files.h"
 #include "files/read_points.h"
 #include "files/read_whole.h"
+#include "options/claim.h"
 #include "pictures/importance.h"
 #include "places/sets.h"
 #include "plan/kept.h"
@@ -145,28 +146,21 @@ std::vector<std::uint8_t> classes_of_keep(const Request& request, const DomainFi
 SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, ForAllSets& given,
                   const files::PointsOfFile& file, const std::string& name) {
     SetClaim claim;
-    claim.points = file.points;
     claim.options = options.domain;
     Request request = request_of(line, options, given, file, name, claim);
     options::take_borders(claim.options.borders, request);
     take_masks(given.files, request);
+    static_cast<Claim&>(claim) = options::claim_of(request);
+    claim.points = file.points;
     claim.name = name;
     claim.meant_to_be_maximal = file.origin.maximal.value_or(true);
     claim.radii = radii_of(request);
-    claim.radius = request.radius.value_or(0);
-    claim.domain = request.domain;
-    claim.field = request.field;
-    claim.scale = request.scale.value_or(0);
-    claim.mask = request.mask;
-    claim.border = request.border;
     // What a .json says that it kept comes first in it.
     claim.keep = request.keep.empty() ? claim.points.first(kept_in(file)) : request.keep;
-    claim.classes = request.classes;
     if (!claim.classes.names.empty()) {
         claim.own_classes = classes_in(file, claim.classes, name);
         claim.classes_of_keep = classes_of_keep(request, given.files, options.domain.keep);
     }
-    claim.places = request.places;
     claim.places.edge = claim.options.edge;
     claim.places.border_by_radius = claim.options.inside_by_radius;
     if (const auto settled = places::settled(claim)) static_cast<Claim&>(claim) = *settled;

@@ -1,0 +1,22 @@
+// Numbers that must be finite, and on which side of 0. Each check throws BadRequest.
+#pragma once
+
+#include <lacuna/errors.h>
+
+#include <cmath>
+
+#include "base/number_text.h"
+
+namespace lacuna {
+
+inline void check_positive(const char* option, double value) {
+    if (!std::isfinite(value) || value <= 0)
+        throw BadRequest(option, shortest(value), "must be a finite number greater than 0");
+}
+
+inline void check_at_least_0(const char* option, double value) {
+    if (!std::isfinite(value) || value < 0)
+        throw BadRequest(option, shortest(value), "must be a finite number of at least 0");
+}
+
+}  // namespace lacuna
