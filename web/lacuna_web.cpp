@@ -178,7 +178,7 @@ Set sample(const Pixels& pixels, const Asked& asked, const Tell& tell) {
     std::optional<Mask> mask;
     if (!asked.mask.empty()) {
         mask = mask_of(pixels);
-        request.mask = &*mask;
+        request.places.mask = &*mask;
         request.domain = domain_like(mask->columns, mask->rows, request.domain.boundary);
     }
     const std::uint32_t relax = options::relax_of(asked.given);
@@ -210,7 +210,7 @@ Proof prove(const Set& set, double radius) {
     Claim claim;
     claim.radius = radius;
     claim.domain = set.domain;
-    claim.mask = set.mask ? &*set.mask : nullptr;
+    claim.places.mask = set.mask ? &*set.mask : nullptr;
     return lacuna::prove(set.points, claim);
 }
 

@@ -90,22 +90,16 @@ Given::Given(const lacuna_given* given, Request& request, const options::Command
         request.keep_classes = {given->kept_classes, given->kept_count};
     refuse_size_alone("field", given->importance, given->columns, given->rows);
     refuse_size_alone("mask", given->allowed, given->mask_columns, given->mask_rows);
-    const bool has_shape = line.has("domain");
     if (given->allowed != nullptr)
         take_raster(mask_, "mask", given->allowed, given->mask_columns, given->mask_rows);
     if (given->importance != nullptr)
         take_raster(field_, "field", given->importance, given->columns, given->rows);
-    if (mask_) request.mask = &*mask_;
+    if (mask_) request.places.mask = &*mask_;
     if (field_) request.field = &*field_;
     request.places.outlines = outlines_of(given);
-    if (has_shape) return;
+    if (line.has("domain")) return;
     const Boundary boundary = request.domain.boundary;
-    if (field_)
-        request.domain = domain_like(field_->columns, field_->rows);
-    else if (mask_)
-        request.domain = domain_like(mask_->columns, mask_->rows);
-    else if (given->outline_count != 0)
-        request.domain = domain_around(request.places);
+    request.domain = domain_around(request.places, request.field);
     request.domain.boundary = boundary;
 }
 

@@ -93,13 +93,13 @@ std::vector<double> distances_of(const Classes& classes) {
 }
 
 double border_of(const Request& request, std::size_t of_class) {
-    const std::vector<double>& own = request.classes.borders;
-    return own.empty() ? request.border : own[of_class];
+    const std::vector<double>& own = request.places.borders;
+    return own.empty() ? request.places.border : own[of_class];
 }
 
 const Mask* mask_of(const Request& request, std::size_t of_class) {
-    const std::vector<const Mask*>& own = request.classes.masks;
-    return own.empty() || own[of_class] == nullptr ? request.mask : own[of_class];
+    const std::vector<const Mask*>& own = request.places.masks;
+    return own.empty() || own[of_class] == nullptr ? request.places.mask : own[of_class];
 }
 
 bool has_counts(const Classes& classes) {
@@ -118,8 +118,10 @@ bool has_open_class(const Classes& classes) {
     return classes.names.empty();
 }
 
-bool has_own_places(const Classes& classes) {
-    return !classes.borders.empty() || !classes.masks.empty();
+bool has_own_places(const Places& places) {
+    const auto is_own = [](const Outline& outline) { return !outline.of_class.empty(); };
+    return !places.borders.empty() || !places.masks.empty() ||
+           std::any_of(places.outlines.begin(), places.outlines.end(), is_own);
 }
 
 namespace {

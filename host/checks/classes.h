@@ -32,7 +32,7 @@ double distance_factor(const Request& request, const Result& result);
 double border_of(const Request& request, std::size_t of_class);
 const Mask* mask_of(const Request& request, std::size_t of_class);
 // Whether a class may have a border or a mask of its own.
-bool has_own_places(const Classes& classes);
+bool has_own_places(const Places& places);
 // Whether a class has a number of points.
 bool has_counts(const Classes& classes);
 // Whether a class is drawn until it has no room: one that has a weight and no number of points.

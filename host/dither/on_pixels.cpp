@@ -31,7 +31,7 @@ std::vector<std::uint64_t> masses_on(const Request& request, const Poll& poll) {
                          std::ceil(double{1} * raster.rows / field.rows);
     const std::vector<std::uint64_t> given =
         relaxing::masses_of(field, PixelShares::kMostMass / often, poll);
-    const Mask* const mask = request.mask;
+    const Mask* const mask = request.places.mask;
     std::vector<std::uint64_t> masses(raster.pixels());
     // The pixel of a picture, stretched over the raster, at the centre of the raster's pixel.
     const auto at = [](std::uint64_t i, std::uint64_t of, std::uint64_t pixels) {

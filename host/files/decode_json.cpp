@@ -233,12 +233,13 @@ void take_columns(const Json& header, const std::string& name, PointsOfFile& fil
     asked.distances = numbers_of(member_of(options, "distances"));
     asked.weights = numbers_of(member_of(options, "weights"));
     asked.counts = counts_of(options, name);
-    asked.borders = numbers_of(member_of(options, "borders"));
+    std::vector<double>& borders = file.origin.borders;
+    borders = numbers_of(member_of(options, "borders"));
     if (!asked.distances.empty()) asked.names = file.classes.names;
     const std::size_t classes = file.classes.names.size();
     for (const auto& [key, size] :
          {std::pair{"weights", asked.weights.size()}, std::pair{"counts", asked.counts.size()},
-          std::pair{"borders", asked.borders.size()}})
+          std::pair{"borders", borders.size()}})
         if (size != 0 && size != classes)
             refuse(name, fmt::format("\"{}\" has {} values: must be {}, one for each class", key,
                                      size, classes));

@@ -32,9 +32,10 @@ struct Origin {
     double scale = 0;               // of the field, asked for or chosen; 0: there is no field
     // Of `options`, as it was read: each that has a value, which is a number, a word, "true", or
     // several of these with colons between them; and the classes, which have names if there are
-    // distances.
+    // distances, with the border of each.
     std::map<std::string, std::string> values{};
     Classes classes{};
+    std::vector<double> borders{};
 };
 
 // The sizes of the dots and their position on the page, for programs that draw them themselves.

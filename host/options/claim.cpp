@@ -19,8 +19,6 @@ Claim options::claim_of(const Request& request) {
     claim.domain = request.domain;
     claim.field = request.field;
     claim.places = request.places;
-    claim.mask = request.mask;
-    claim.border = request.border;
     claim.classes = request.classes;
     claim.keep = request.keep;
     claim.keep_classes = request.keep_classes;

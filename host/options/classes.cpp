@@ -94,7 +94,7 @@ std::string among_names(const std::vector<std::string>& names) {
 }
 
 void take_borders(const std::vector<std::string>& borders, Request& request) {
-    Classes& classes = request.classes;
+    const Classes& classes = request.classes;
     const std::size_t count = classes.names.size();
     std::optional<double> of_all;
     std::vector<std::optional<double>> own(count);
@@ -116,12 +116,12 @@ void take_borders(const std::vector<std::string>& borders, Request& request) {
         else
             read_part("border", text, text.substr(colon + 1), "D", border);
     }
-    if (of_all) request.border = *of_all;
+    if (of_all) request.places.border = *of_all;
     const auto has_own = [](const std::optional<double>& one) { return one.has_value(); };
     if (std::none_of(own.begin(), own.end(), has_own)) return;
-    classes.borders.clear();
+    request.places.borders.clear();
     for (const std::optional<double>& one : own)
-        classes.borders.push_back(one.value_or(request.border));
+        request.places.borders.push_back(one.value_or(request.places.border));
 }
 
 }  // namespace lacuna::options

@@ -41,9 +41,9 @@ std::vector<GivenOption> members_set(const Request& request, Moves moves) {
         if (is_set) given.push_back({name});
     };
     give("progressive", request.progressive);
-    give("mask", request.mask != nullptr);
+    give("mask", request.places.mask != nullptr);
     for (const Outline& one : request.places.outlines) give(name_of(one.role), true);
-    give("border", request.border != 0);
+    give("border", request.places.border != 0);
     give("inside-by-radius", request.places.border_by_radius);
     give("keep", !request.keep.empty());
     give("class", !request.classes.names.empty());

@@ -76,7 +76,7 @@ Targets targets_of(Request& request) {
             {"domain", take_by<read_sides>(request)},
             {"on-pixels", take_by<read_pixels>(request)},
             {"torus", &request.domain.boundary},
-            {"border", &request.border},
+            {"border", &request.places.border},
             {"limit", &request.limit},
             {"seed", &request.seed},
             {"progressive", &request.progressive},

@@ -140,7 +140,11 @@ Domain large_enough(Domain box) {
 
 }  // namespace
 
-Domain domain_around(const Places& places) {
+Domain domain_around(const Places& places, const Field* field) {
+    if (field != nullptr) return domain_like(field->columns, field->rows);
+    if (places.mask != nullptr) return domain_like(places.mask->columns, places.mask->rows);
+    for (const Mask* const mask : places.masks)
+        if (mask != nullptr) return domain_like(mask->columns, mask->rows);
     Extent all;
     for (const Outline& outline : places.outlines) {
         if (outline.polygons.page) return *outline.polygons.page;

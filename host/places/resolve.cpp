@@ -61,7 +61,7 @@ double least_radius(const Request& request, std::span<const PolygonSet> sets) {
     const Mask mask = coarse_places(request, sets);
     Request trial = request;
     // If these outlines leave no room, the other classes' room decides, or the set will be empty.
-    if (allows_some(mask)) trial.mask = &mask;
+    if (allows_some(mask)) trial.places.mask = &mask;
     return radius_field_scale_for_count(trial, static_cast<double>(*request.count)) /
            std::sqrt(greatest);
 }
@@ -93,14 +93,14 @@ void take_border(Request& request) {
     const auto refuse = [](const char* with, const char* why) {
         throw BadRequest("inside-by-radius", with, why);
     };
-    if (request.border != 0 || !request.classes.borders.empty())
+    if (request.places.border != 0 || !request.places.borders.empty())
         refuse("with --border", "both say how far to stay");
     if (request.count) refuse("with --count", "the radius must be known before: give it");
     if (request.on_pixels) refuse("with --on-pixels", "its samples keep no distance");
     if (request.field != nullptr)
         refuse("with --field", "is for disks of one size, or of one for each class");
     check_classes(request);
-    places::take_border_by_radius(request.radius, request.domain, request.border, request.classes);
+    places::take_border_by_radius(request.radius, request.domain, request.classes, request.places);
 }
 
 // Draws the sets of all points, or those of each class.
@@ -127,25 +127,29 @@ std::vector<Mask> masks_of(const Request& request, const places::Sets& sets, dou
 Resolved resolve(const Request& given) {
     Resolved resolved{.request = given};
     Request& request = resolved.request;
-    const Places places = std::exchange(request.places, {});
-    if (places.border_by_radius) take_border(request);
+    if (request.places.border_by_radius) take_border(request);
+    const Places places = request.places;
+    request.places = {.mask = places.mask,
+                      .border = places.border,
+                      .borders = places.borders,
+                      .masks = places.masks};
     if (places.outlines.empty()) return resolved;
-    Classes& classes = request.classes;
-    if (request.mask != nullptr || !classes.masks.empty())
+    const Classes& classes = request.classes;
+    if (places.mask != nullptr || !places.masks.empty())
         throw BadRequest("mask", "with " + std::string(name_of(places.outlines.front().role)),
                          "draw these into the picture");
     if (!classes.names.empty() && !request.count) check_distances(classes);
     take_size_of_classes(request);
-    const places::Sets sets(places, request.domain, request.border, classes);
+    const places::Sets sets(places, request.domain, classes);
     resolved.edge = places.edge ? *places.edge : usual_edge(request, sets.most());
     const auto masks = std::make_shared<const std::vector<Mask>>(
         masks_of(request, sets, resolved.edge, places.edge.has_value()));
     resolved.masks = masks;
     if (masks->size() == 1) {
-        request.mask = &masks->front();
+        request.places.mask = &masks->front();
         return resolved;
     }
-    for (const Mask& mask : *masks) classes.masks.push_back(mask.drawn ? &mask : nullptr);
+    for (const Mask& mask : *masks) request.places.masks.push_back(mask.drawn ? &mask : nullptr);
     return resolved;
 }
 

@@ -75,10 +75,10 @@ void repeat(const Domain& domain, std::vector<std::vector<PolygonRing>>& sets) {
 
 }  // namespace
 
-Sets::Sets(const Places& places, const Domain& domain, double border, const Classes& classes) {
+Sets::Sets(const Places& places, const Domain& domain, const Classes& classes) {
     const std::vector<std::string>& names = classes.names;
     const std::vector<Outline>& outlines = places.outlines;
-    bool are_alike = classes.borders.empty();
+    bool are_alike = places.borders.empty();
     std::vector<double> scales;         // of distances
     std::vector<std::size_t> first{0};  // of the rings of an outline; then their end
     for (const auto& [polygons, role, distance, of_class, is_on_page] : outlines) {
@@ -101,7 +101,7 @@ Sets::Sets(const Places& places, const Domain& domain, double border, const Clas
         const bool has_inside = std::any_of(outlines.begin(), outlines.end(), [&](const auto& one) {
             return one.role == Role::inside && is_own(one);
         });
-        const double own_border = classes.borders.empty() ? border : classes.borders[kind];
+        const double own_border = places.borders.empty() ? places.border : places.borders[kind];
         for (std::size_t i = 0; i < outlines.size(); ++i) {
             const Outline& one = outlines[i];
             const bool is_for_all =
@@ -130,8 +130,8 @@ std::span<const PolygonSet> Sets::most() const {
                              [](const auto& a, const auto& b) { return a.size() < b.size(); });
 }
 
-void take_border_by_radius(std::optional<double> radius, const Domain& domain, double& border,
-                           Classes& classes) {
+void take_border_by_radius(std::optional<double> radius, const Domain& domain,
+                           const Classes& classes, Places& places) {
     if (domain.wraps())
         throw BadRequest("inside-by-radius", "with --torus", "a torus has no edges");
     const std::size_t count = classes.names.size();
@@ -151,9 +151,9 @@ void take_border_by_radius(std::optional<double> radius, const Domain& domain, d
                              shortest(shorter / 2) + ", or there is no place for them");
     }
     if (count == 0)
-        border = radii.front();
+        places.border = radii.front();
     else
-        classes.borders = std::move(radii);
+        places.borders = std::move(radii);
 }
 
 double edge_of_radius(double least_radius) {
@@ -161,7 +161,7 @@ double edge_of_radius(double least_radius) {
 }
 
 void check(const Claim& claim) {
-    const bool has_border = claim.border > 0 || !claim.classes.borders.empty();
+    const bool has_border = claim.places.border > 0 || !claim.places.borders.empty();
     for (const Outline& outline : claim.places.outlines) {
         const std::string option(name_of(outline.role));
         check_at_least_0("border", outline.distance.value_or(0));
@@ -178,7 +178,7 @@ void check(const Claim& claim) {
         }
     }
     if (claim.places.edge) check_at_least_0("edge", *claim.places.edge);
-    if (claim.places.border_by_radius && (claim.field != nullptr || claim.mask != nullptr))
+    if (claim.places.border_by_radius && (claim.field != nullptr || claim.places.mask != nullptr))
         throw BadRequest("inside-by-radius", "with --field or --mask",
                          "is for disks of one size, or of one for each class, and for outlines");
 }
@@ -189,7 +189,7 @@ std::shared_ptr<const Claim> settled(const Claim& given) {
     const auto claim = std::make_shared<Claim>(given);
     if (given.places.border_by_radius)
         take_border_by_radius(given.radius > 0 ? std::optional(given.radius) : std::nullopt,
-                              given.domain, claim->border, claim->classes);
+                              given.domain, given.classes, claim->places);
     if (has_edge) return claim;
     double least = size_of(given);
     if (given.field != nullptr) {

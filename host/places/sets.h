@@ -19,7 +19,7 @@ public:
     // Pages are stretched over the domain, and obstacles have images around a torus. Borders are
     // kept from insides and outsides, and from obstacles too if they are the radii of objects.
     // Throws BadRequest for an outline of a class that there is not.
-    Sets(const Places& places, const Domain& domain, double border, const Classes& classes);
+    Sets(const Places& places, const Domain& domain, const Classes& classes);
     Sets(const Sets&) = delete;
     Sets& operator=(const Sets&) = delete;
 
@@ -46,8 +46,8 @@ private:
 // Gives points, or each class, the border of Places::border_by_radius. Without a radius it is the
 // least distance of the classes. Throws BadRequest for a torus, and if the domain has no place for
 // an object.
-void take_border_by_radius(std::optional<double> radius, const Domain& domain, double& border,
-                           Classes& classes);
+void take_border_by_radius(std::optional<double> radius, const Domain& domain,
+                           const Classes& classes, Places& places);
 
 // How far the outlines of a set of this least radius are off, if nothing else is said.
 double edge_of_radius(double least_radius);

@@ -96,7 +96,8 @@ void check_classes(const Request& request) {
     const Classes& classes = request.classes;
     const std::string mode = "with mode " + std::string(name_of(request.mode));
     if (classes.names.empty()) {
-        if (!classes.distances.empty() || !classes.weights.empty() || has_own_places(classes))
+        if (!classes.distances.empty() || !classes.weights.empty() ||
+            has_own_places(request.places))
             throw BadRequest("between", "distances, weights, borders or masks",
                              "are for classes, which lack names");
         if (!request.keep_classes.empty())

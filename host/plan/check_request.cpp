@@ -160,8 +160,10 @@ CheckedRequest::CheckedRequest(const Request& given) : resolved_(resolve(given))
     Classes& classes = request.classes;
     take_size_of_classes(request);
     if (classes.names.size() == 1) {
-        request.border = border_of(request, 0);
-        request.mask = mask_of(request, 0);
+        request.places.border = border_of(request, 0);
+        request.places.mask = mask_of(request, 0);
+        request.places.borders.clear();
+        request.places.masks.clear();
         classes = {};
         request.keep_classes = {};
     }

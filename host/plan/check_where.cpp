@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "base/number_text.h"
 #include "base/polling.h"
@@ -27,13 +28,14 @@ void check_border_of(const Domain& domain, double border, const std::string& val
 }
 
 void check_places_of_classes(const Request& request) {
-    const Classes& classes = request.classes;
-    check_each(classes, "border", classes.borders.size(), " borders of classes");
-    check_each(classes, "mask", classes.masks.size(), " masks of classes");
-    for (std::size_t i = 0; i < classes.borders.size(); ++i)
-        check_border_of(request.domain, classes.borders[i],
-                        classes.names[i] + ":" + shortest(classes.borders[i]));
-    for (const Mask* mask : classes.masks)
+    const std::vector<double>& borders = request.places.borders;
+    const std::vector<const Mask*>& masks = request.places.masks;
+    check_each(request.classes, "border", borders.size(), " borders of classes");
+    check_each(request.classes, "mask", masks.size(), " masks of classes");
+    for (std::size_t i = 0; i < borders.size(); ++i)
+        check_border_of(request.domain, borders[i],
+                        request.classes.names[i] + ":" + shortest(borders[i]));
+    for (const Mask* mask : masks)
         if (mask != nullptr) check_mask(*mask);
 }
 
@@ -60,12 +62,13 @@ bool has_places(const Request& request) {
 void check_where(const Request& request) {
     const std::string mode = "with mode " + std::string(name_of(request.mode));
     const bool exact = request.mode == Mode::exact;
-    if (request.mask != nullptr && !exact && request.mode != Mode::pixels)
+    if (request.places.mask != nullptr && !exact && request.mode != Mode::pixels)
         throw BadRequest("mask", mode, "is for modes exact and pixels");
-    if (request.border != 0 && !exact) throw BadRequest("border", mode, "is for mode exact only");
+    if (request.places.border != 0 && !exact)
+        throw BadRequest("border", mode, "is for mode exact only");
     if (!request.keep.empty() && !exact) throw BadRequest("keep", mode, "is for mode exact only");
-    if (request.mask != nullptr) check_mask(*request.mask);
-    check_border_of(request.domain, request.border, shortest(request.border));
+    if (request.places.mask != nullptr) check_mask(*request.places.mask);
+    check_border_of(request.domain, request.places.border, shortest(request.places.border));
     check_places_of_classes(request);
     if (request.count && *request.count > 0 && !has_places(request))
         throw BadRequest("count", std::to_string(*request.count),

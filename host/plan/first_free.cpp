@@ -50,7 +50,7 @@ std::vector<std::uint32_t> first_free_lengths(const Plan& plan) {
 }
 
 FirstFree::FirstFree(const Plan& plan) {
-    if (!plan.has_field()) {
+    if (!plan.has_radius_field()) {
         lengths = first_free_lengths(plan);
         return;
     }

@@ -151,8 +151,9 @@ void check_radius_for_count(const Request& request, double radius) {
 
 bool needs_radius_field(const Request& request) {
     return request.mode == Mode::exact &&
-           (request.field != nullptr || request.mask != nullptr || request.border > 0 ||
-            !request.keep.empty() || request.progressive || !request.classes.names.empty());
+           (request.field != nullptr || request.places.mask != nullptr ||
+            request.places.border > 0 || !request.keep.empty() || request.progressive ||
+            !request.classes.names.empty());
 }
 
 Plan make_plan(const CheckedRequest& checked) {

@@ -68,7 +68,7 @@ struct Margins {
 // The masks of all classes have as many pixels (check_kept). Null if there is none.
 const Mask* first_mask_of(const Request& request) {
     const Mask* first = mask_of(request, 0);
-    for (std::size_t i = 1; first == nullptr && i < request.classes.masks.size(); ++i)
+    for (std::size_t i = 1; first == nullptr && i < request.places.masks.size(); ++i)
         first = mask_of(request, i);
     return first;
 }
@@ -93,7 +93,7 @@ void check_margins(const Domain& domain, const Mask* mask, const Margins& across
 
 bool have_masks_as_many_pixels(const Request& request) {
     const Mask* const first = first_mask_of(request);
-    for (std::size_t i = 0; i < request.classes.masks.size(); ++i) {
+    for (std::size_t i = 0; i < request.places.masks.size(); ++i) {
         const Mask* const mask = mask_of(request, i);
         if (mask != nullptr && (mask->columns != first->columns || mask->rows != first->rows))
             return false;
@@ -189,9 +189,9 @@ Around around_kept(const Request& request, const Poll& poll) {
         }
         return found->second;
     };
-    std::vector<const Mask*>& of_classes = around.request.classes.masks;
+    std::vector<const Mask*>& of_classes = around.request.places.masks;
     for (std::size_t i = 0; i < of_classes.size(); ++i) of_classes[i] = pad(mask_of(request, i));
-    if (of_classes.empty()) around.request.mask = pad(request.mask);
+    if (of_classes.empty()) around.request.places.mask = pad(request.places.mask);
     Domain& larger = around.request.domain;
     larger.x0 -= across.before;
     larger.y0 -= up.before;

@@ -111,9 +111,9 @@ struct Plan {
 
     std::variant<LinesPlan, ExactPlan, FieldPlan, CellsPlan> of_mode;
 
-    bool is_exact() const { return has_grid() || has_field(); }
+    bool is_exact() const { return has_grid() || has_radius_field(); }
     bool is_cells() const { return std::holds_alternative<CellsPlan>(of_mode); }
-    bool has_field() const { return std::holds_alternative<FieldPlan>(of_mode); }
+    bool has_radius_field() const { return std::holds_alternative<FieldPlan>(of_mode); }
     bool has_grid() const { return std::holds_alternative<ExactPlan>(of_mode); }
     const FieldPlan& field() const { return std::get<FieldPlan>(of_mode); }
     const CellsPlan& cells() const { return std::get<CellsPlan>(of_mode); }
@@ -148,10 +148,10 @@ struct Plan {
     }
     // The class of a sample, and its x within the domain: see plan/class_copies.h.
     std::uint32_t class_of(Sample sample) const {
-        return has_field() ? field().copies.of(sample.x) : 0;
+        return has_radius_field() ? field().copies.of(sample.x) : 0;
     }
     std::uint32_t x_on_copy(std::uint32_t x) const {
-        return has_field() ? field().copies.x_on_copy(x) : x;
+        return has_radius_field() ? field().copies.x_on_copy(x) : x;
     }
 };
 

@@ -152,8 +152,9 @@ Plan make_radius_field_plan(const CheckedRequest& checked, const Poll& poll,
             request.field, scale, mask,
             shape_of(around, request.domain, border, plan.width, plan.height, last), poll);
     };
-    const bool are_alike = !has_own_places(around.classes);
-    field.radius_field = are_alike ? field_of(around.border, around.mask) : field_of(0, nullptr);
+    const bool are_alike = !has_own_places(around.places);
+    field.radius_field =
+        are_alike ? field_of(around.places.border, around.places.mask) : field_of(0, nullptr);
     PlacesOfClasses places;
     for (std::size_t i = 0; !are_alike && i < classes; ++i)
         places.push_back(field_of(border_of(around, i), mask_of(around, i)));

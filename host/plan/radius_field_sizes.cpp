@@ -136,7 +136,7 @@ void check_size(const Request& request, const std::string& option, const std::st
                              ", the longer side / 2^20, or the grid's units run out");
     double bytes = samples * crowd_of_boxes(request) * kBytesPerSample;
     // Boxes of a class are cut along a mask of its own, down to the slots of the tree.
-    const bool are_alike = !has_own_places(request.classes);
+    const bool are_alike = !has_own_places(request.places);
     const double boxes_of_pixel = are_alike ? 0 : kBytesPerBox;
     for (std::size_t i = 0; i < (are_alike ? 1 : request.classes.names.size()); ++i) {
         if (request.field != nullptr)
@@ -168,7 +168,7 @@ double crowd_of(const Request& request) {
 
 // The same share for all classes together: the mean of theirs, in proportion to their samples.
 double share_of(const Request& request, double greatest, const Poll& poll) {
-    if (!has_own_places(request.classes)) return share_of(request, 0, greatest, poll);
+    if (!has_own_places(request.places)) return share_of(request, 0, greatest, poll);
     const std::vector<double> distances = distances_of(request.classes);
     const std::size_t count = request.classes.names.size();
     double samples = 0;

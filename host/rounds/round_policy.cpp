@@ -25,7 +25,7 @@ std::uint64_t largest_round_size(const Plan& plan) {
 
 std::uint64_t first_round_size(const Plan& plan) {
     if (plan.round_size != 0) return plan.round_size;
-    if (plan.is_cells() || plan.has_field())
+    if (plan.is_cells() || plan.has_radius_field())
         return std::clamp(plan.maximal_samples / 6, kSmallestRound, largest_round_size(plan));
     const std::uint64_t area = std::uint64_t{plan.width} * plan.height;
     return std::clamp(area / plan.radius_squared / 8, kSmallestRound, largest_round_size(plan));
@@ -49,7 +49,7 @@ void RoundPolicy::note(std::uint64_t survivors, std::uint64_t admitted, std::uin
     const bool are_boxes = refines_;
     // With a radius field boxes are cut along y too, so their width does not matter.
     constexpr std::uint32_t kAnyWidth = 2;
-    if (plan_.is_exact()) judge_bins(survivors, plan_.has_field() ? kAnyWidth : bin_width);
+    if (plan_.is_exact()) judge_bins(survivors, plan_.has_radius_field() ? kAnyWidth : bin_width);
     if (plan_.round_size != 0) return;
 
     const std::uint64_t lost = survivors - admitted;

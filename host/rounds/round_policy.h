@@ -28,7 +28,7 @@ class RoundPolicy {
 public:
     // With a radius field the first round has boxes already.
     explicit RoundPolicy(const Plan& plan)
-        : plan_(plan), size_(first_round_size(plan)), refines_(plan.has_field()) {}
+        : plan_(plan), size_(first_round_size(plan)), refines_(plan.has_radius_field()) {}
 
     // Number of draws of the next round.
     std::uint64_t size() const { return size_; }

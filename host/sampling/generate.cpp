@@ -90,7 +90,7 @@ void append_points(const Plan& plan, std::span<const Sample> samples, Workers& w
                    Result& result) {
     make_room_to_append(result.points, samples.size(), workers);
     for (const Sample& sample : samples) result.points.push_back(plan.to_user(sample));
-    if (!plan.has_field() || !plan.field().copies.are_several()) return;
+    if (!plan.has_radius_field() || !plan.field().copies.are_several()) return;
     for (const Sample& sample : samples)
         result.classes.push_back(static_cast<std::uint8_t>(plan.class_of(sample)));
 }

@@ -67,13 +67,6 @@ private:
 
 }  // namespace
 
-bool has_own_places(const Claim& claim) {
-    const auto is_own = [](const lacuna::Outline& outline) { return !outline.of_class.empty(); };
-    const std::vector<lacuna::Outline>& outlines = claim.places.outlines;
-    return lacuna::has_own_places(claim.classes) ||
-           std::any_of(outlines.begin(), outlines.end(), is_own);
-}
-
 Fields::Fields(const Domain& domain, const FieldParts& parts, const Claim& claim) {
     const auto add = [&](FieldParts own, std::span<const PolygonSet> polygons) {
         const MovedPolygons moved(polygons, domain);
@@ -81,13 +74,14 @@ Fields::Fields(const Domain& domain, const FieldParts& parts, const Claim& claim
         fields_.emplace_back(domain, own);  // copies the polygons
     };
     const Classes& classes = claim.classes;
-    const bool are_alike = !has_own_places(claim);
-    const places::Sets sets(claim.places, claim.domain, claim.border, classes);
+    const Places& places = claim.places;
+    const bool are_alike = !has_own_places(places);
+    const places::Sets sets(places, claim.domain, classes);
     if (are_alike) add(parts, sets[0]);
     for (std::size_t i = 0; !are_alike && i < classes.names.size(); ++i) {
         FieldParts own = parts;
-        if (!classes.borders.empty()) own.border = classes.borders[i];
-        if (!classes.masks.empty() && classes.masks[i] != nullptr) own.mask = classes.masks[i];
+        if (!places.borders.empty()) own.border = places.borders[i];
+        if (!places.masks.empty() && places.masks[i] != nullptr) own.mask = places.masks[i];
         add(own, sets[i]);
     }
 }

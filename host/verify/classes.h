@@ -36,7 +36,6 @@ private:
 };
 
 // Whether classes of a claim may lie in places of their own.
-bool has_own_places(const Claim& claim);
 
 // The samples are in the order of Claim::class_of_points, each with its radius for the least
 // distance of all classes.

@@ -240,10 +240,10 @@ Proof prove(std::span<const Point> points, const Claim& given,
     const Fields fields(domain,
                         {.field = claim.field != nullptr ? claim.field : &one_pixel,
                          .scale = size_of(claim),
-                         .mask = claim.mask,
+                         .mask = claim.places.mask,
                          .polygons = {},
                          .edge_tolerance = claim.places.edge.value_or(0),
-                         .border = claim.border},
+                         .border = claim.places.border},
                         claim);
     const verify::RadiusField& radius_field = fields.any();
     check_least_radius(claim, radius_field.least_radius());

@@ -30,15 +30,14 @@ void check_mask(const Mask* mask) {
 
 // Where points may lie.
 void check_places(const Claim& claim) {
-    const Classes& classes = claim.classes;
-    check_each(classes, "border", classes.borders.size(), " borders of classes");
-    check_each(classes, "mask", classes.masks.size(), " masks of classes");
-    check_mask(claim.mask);
-    for (const Mask* const mask : classes.masks) check_mask(mask);
+    const Places& places = claim.places;
+    check_each(claim.classes, "border", places.borders.size(), " borders of classes");
+    check_each(claim.classes, "mask", places.masks.size(), " masks of classes");
+    check_mask(places.mask);
+    for (const Mask* const mask : places.masks) check_mask(mask);
     places::check(claim);
-    check_border(claim.domain, claim.border, shortest(claim.border));
-    for (const double border : classes.borders)
-        check_border(claim.domain, border, shortest(border));
+    check_border(claim.domain, places.border, shortest(places.border));
+    for (const double border : places.borders) check_border(claim.domain, border, shortest(border));
 }
 
 }  // namespace
@@ -92,7 +91,7 @@ void check_claim(const Claim& claim, std::size_t points, double tolerance) {
 }
 
 void check_least_radius(const Claim& claim, double least_radius) {
-    const double smallest = claim.domain.longer_side() * kSmallestRadius;
+    const double smallest = claim.domain.longer_side() * kSmallestProvenRadius;
     if (least_radius >= smallest) return;
     const std::string found =
         is_uniform(claim) ? "" : "gives a least radius of " + shortest(least_radius) + ", but it ";
@@ -111,8 +110,9 @@ void check_longest_ellipse(const Claim& claim, double longest_radius) {
 }
 
 bool is_uniform(const Claim& claim) {
-    return claim.field == nullptr && claim.mask == nullptr && claim.places.outlines.empty() &&
-           !claim.places.border_by_radius && claim.border == 0 && claim.classes.names.empty();
+    return claim.field == nullptr && claim.places.mask == nullptr &&
+           claim.places.outlines.empty() && !claim.places.border_by_radius &&
+           claim.places.border == 0 && claim.classes.names.empty();
 }
 
 double tolerance_of(const Claim& claim) {

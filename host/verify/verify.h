@@ -22,13 +22,13 @@ inline constexpr double kMostTolerance = 0.01;
 
 // The smallest radius, as a share of the longer side. It is far larger than what doubles can tell
 // apart, and far smaller than the radius of any set that fits into a computer.
-inline constexpr double kSmallestRadius = 0x1p-32;
+inline constexpr double kSmallestProvenRadius = 0x1p-32;
 
 // Throws BadRequest for a domain, field, scale, radius, tolerance, mask, polygons, border or
 // classes that make no sense.
 void check_claim(const Claim& claim, std::size_t points, double tolerance);
 
-// Throws BadRequest if the smallest radius that the claim asks for is below kSmallestRadius.
+// Throws BadRequest if the smallest radius that the claim asks for is below kSmallestProvenRadius.
 void check_least_radius(const Claim& claim, double least_radius);
 
 // Throws BadRequest if an ellipse is longer than the shorter side of a torus. There two points have

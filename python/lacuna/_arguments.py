@@ -306,13 +306,9 @@ def mask_of(name: str, value: object) -> _core.Mask:
     return mask
 
 
-def shape_of(*pixels: _core.Field | _core.Mask | None) -> tuple[float, float] | None:
-    """The domain of the first picture: its shape, the longer side 1. None if there is none."""
-    for one in pixels:
-        if one is not None:
-            longer = max(one.columns, one.rows)
-            return one.columns / longer, one.rows / longer
-    return None
+def shape_of(field: _core.Field | None) -> Extent | None:
+    """The domain of a field: its shape, the longer side 1. None if there is none."""
+    return None if field is None else _core.domain_around([], {}, field)
 
 
 def path_bytes(name: str, value: str | bytes | os.PathLike[Any]) -> bytes:

@@ -72,21 +72,20 @@ def borders_of(
     return {"border": 0.0, "borders": [real("border", border.get(name, 0.0)) for name in names]}
 
 
-def masks_of(
-    mask: Masks | None, kinds: dict[str, Any]
-) -> tuple[_core.Mask | None, dict[str, Any], list[_core.Mask]]:
-    """The mask of all points, an option with those of the classes that have their own, and all of
-    them as they are given."""
+def masks_of(mask: Masks | None, kinds: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Options with the mask of all points, and with those of classes that have their own. Then the
+    option of the first one that is given, which decides the domain."""
     if not isinstance(mask, Mapping):
-        allowed = None if mask is None else mask_of("mask", mask)
-        return allowed, {}, [] if allowed is None else [allowed]
+        of_all = {} if mask is None else {"mask": mask_of("mask", mask)}
+        return of_all, of_all
     names = kinds.get("class_names", [])
     for name in mask:
         if name is not None and name not in names:
             raise BadRequest("mask", shown(name), "must be the name of a class")
     each = {name: mask_of("mask", one) for name, one in mask.items()}
     own = {"masks": [each.get(name) for name in names]} if each.keys() - {None} else {}
-    return each.get(None), own, list(each.values())
+    first = {"mask": one for one in list(each.values())[:1]}
+    return own | ({"mask": each[None]} if None in each else {}), first
 
 
 def _size_of(name: object, size: Any) -> tuple[float | None, float, int | None]:

@@ -55,7 +55,6 @@ def read_picture(path: bytes) -> Picture: ...
 def sample(
     options: Options,
     field: Field | None,
-    mask: Mask | None,
     places: list[Outline],
     keep: Floats | None,
     keep_classes: Bytes | None,
@@ -85,7 +84,6 @@ def verify(
     points: Floats,
     options: Options,
     field: Field | None,
-    mask: Mask | None,
     places: list[Outline],
     keep: Floats | None,
     keep_classes: Bytes | None,
@@ -105,7 +103,7 @@ def write_points(
 def read_polygons(path: bytes, as_lines: bool) -> dict[str, Any]: ...
 def joined(rings: list[Floats]) -> list[Floats]: ...
 def domain_around(
-    places: list[Outline],
+    places: list[Outline], options: Options, field: Field | None
 ) -> tuple[float, float] | tuple[float, float, float, float]: ...
 def draw_mask(places: list[Outline], options: Options) -> Mask: ...
 def devices() -> list[tuple[str, str, str, int, int, str]]: ...

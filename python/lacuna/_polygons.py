@@ -223,9 +223,8 @@ def domain_around(*places: Places) -> Extent:
     >>> lacuna.domain_around([[(448000, 5411000), (450000, 5411000), (449000, 5412500)]])
     (448000.0, 5411000.0, 450000.0, 5412500.0)
     """
-    return _core.domain_around(
-        [_outline("places", one, None) for all in places for one in _several(all)]
-    )
+    outlines = [_outline("places", one, None) for all in places for one in _several(all)]
+    return _core.domain_around(outlines, {}, None)
 
 
 def draw_mask(
@@ -300,7 +299,7 @@ def draw_mask(
     distance = real("border", border)
     places = places_of(rings, outside, avoid, near, distance, "rings")
     asked = options(
-        domain=_core.domain_around(places) if domain is None else domain,
+        domain=_core.domain_around(places, {}, None) if domain is None else domain,
         edge=edge,
         torus=torus,
         memory_limit=memory_limit,

@@ -11,7 +11,7 @@ from typing import SupportsFloat, TypedDict, Unpack, overload
 
 from . import _core
 from ._arguments import MOST_64, importance_of, options, points_array, raster_in, real
-from ._arguments import shape_of, shown, watched, whole
+from ._arguments import shown, watched, whole
 from ._classes import borders_of, classes_of, classes_of_points, masks_of
 from ._errors import BadRequest, MemoryRefused
 from ._polygons import places_of
@@ -272,13 +272,13 @@ def sample(
         scale = 1
     kept = None if keep is None else points_array("keep", keep)
     kinds = classes_of(classes, between)
-    allowed, own_masks, masks = masks_of(mask, kinds)
+    masks, first_mask = masks_of(mask, kinds)
     borders = borders_of(border, inside_by_radius, kinds)
     places = places_of(inside, outside, avoid, near)
     if domain is None and on_pixels is not None:
         domain = raster_in("on_pixels", on_pixels)
     if domain is None:
-        domain = shape_of(importance, *masks) or _core.domain_around(places)
+        domain = _core.domain_around(places, first_mask, importance)
     asked = options(
         radius=radius, n=n, scale=scale, metric=metric, domain=domain, on_pixels=on_pixels,
         torus=torus, mode=mode,
@@ -287,7 +287,7 @@ def sample(
         snap=snap, uniform_x=uniform_x, round_size=round_size, backend=backend, device=device,
         threads=threads, memory_limit=memory_limit,
     )  # fmt: skip
-    asked.update(kinds | borders | own_masks)
+    asked.update(kinds | borders | masks)
     arrays = {
         "field": field, "ellipses": ellipses, "mask": mask, "inside": inside, "outside": outside,
         "avoid": avoid, "near": near, "keep": keep, "classes": classes,
@@ -296,9 +296,9 @@ def sample(
     own = keep._names_of_points() if isinstance(keep, PointSet) and kinds else None
     of_kept = classes_of_points("keep_classes", keep_classes, own, kinds, kept)
     with watched(progress) as told:
-        made = _core.sample(asked, importance, allowed, places, kept, of_kept, told)
+        made = _core.sample(asked, importance, places, kept, of_kept, told)
     # The command names the files of these.
-    where = allowed or own_masks or places or None
+    where = masks or places or None
     files = {"keep": keep, "field": field, "ellipses": ellipses, "mask": where}
     said: dict[str, Any] = {name: "an array" for name, one in files.items() if one is not None}
     if made["_promised"]["inside_by_radius"]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Iterable, Mapping, SupportsFloat
 import numpy as np
 
 from . import _core, _plots
-from ._arguments import flag, importance_of, options, points_array, shape_of, shown
+from ._arguments import flag, importance_of, options, points_array, shown
 from ._classes import borders_of, classes_of, classes_of_points, masks_of
 from ._errors import BadRequest
 from ._polygons import places_of
@@ -312,7 +312,7 @@ def verify(
             "weights": own["weights"],
             "counts": own["counts"],
         }
-    allowed, own_masks, masks = masks_of(mask, kinds)
+    masks, first_mask = masks_of(mask, kinds)
     if kinds and radius is None and scale is None:
         least = min((one for one in kinds["distances"] if one > 0), default=0.0)
         size = {"radius" if importance is None else "scale": least}
@@ -335,7 +335,7 @@ def verify(
                 raise BadRequest(name, "missing", "the set was made with one: give it too")
     shape = None
     if domain is None and not isinstance(points, HasPoints):
-        shape = shape_of(importance, *masks) or _core.domain_around(places)
+        shape = _core.domain_around(places, first_mask, importance)
     asked = options(
         **domain_of(points, domain, torus, shape),
         **size,
@@ -343,7 +343,7 @@ def verify(
         tolerance=tolerance,
         distances_only=distances_only,
     )
-    asked.update(kinds | borders | own_masks)
+    asked.update(kinds | borders | masks)
     kept, of_kept = np.empty((0, 2)), None
     if keep is not None:
         kept = points_array("keep", keep)
@@ -356,7 +356,7 @@ def verify(
     if kinds and class_of is None and of_points is None:
         raise BadRequest("class_of", "missing", "give the class of each point")
     numbers = classes_of_points("class_of", class_of, of_points, kinds, array)
-    found = _core.verify(array, asked, importance, allowed, places, kept, of_kept, numbers)
+    found = _core.verify(array, asked, importance, places, kept, of_kept, numbers)
     shown_points = array.view()
     shown_points.flags.writeable = False
     return Verdict(

@@ -72,18 +72,20 @@ Mask mask_of(const nb::list& given, const nb::dict& options) {
     read(options, "edge", edge);
     read(options, "memory_limit", memory_limit_bytes);
     const Unlocked unlocked;
-    const places::Sets sets({.outlines = outlines.copy()}, domain, 0, {});
+    const places::Sets sets({.outlines = outlines.copy()}, domain, {});
     return draw_mask(sets[0], domain, edge, memory_limit_bytes);
 }
 
-nb::tuple domain_of(const nb::list& given) {
+nb::tuple domain_of(const nb::list& given, const nb::dict& options, const Field* field) {
     const Outlines outlines(given);
+    Places places;
+    read_places(options, places);
     Domain domain;
     Point most{};  // a sum of corner and sides would be rounded
     {
         const Unlocked unlocked;
-        const Places places{.outlines = outlines.copy()};
-        domain = domain_around(places);
+        places.outlines = outlines.copy();
+        domain = domain_around(places, field);
         most = {domain.x0, domain.y0};
         for (const Outline& outline : places.outlines)
             for (const PolygonRing& ring : outline.polygons.rings)
@@ -106,7 +108,7 @@ void add_domains(nb::module_& module) {
     module.def("make_mask", make_mask);
     module.def("read_polygons", polygons_of);
     module.def("joined", joined_rings);
-    module.def("domain_around", domain_of);
+    module.def("domain_around", domain_of, nb::arg(), nb::arg(), nb::arg().none());
     module.def("draw_mask", mask_of);
 }
 

@@ -54,11 +54,9 @@ Claim asked_claim(const nb::dict& given) {
     Claim claim;
     claim.domain = domain_in(given);
     read_classes(given, claim.classes);
+    read_places(given, claim.places);
     read(given, "radius", claim.radius);
     read(given, "scale", claim.scale);
-    read(given, "border", claim.border);
-    read(given, "edge", claim.places.edge);
-    read(given, "inside_by_radius", claim.places.border_by_radius);
     read(given, "tolerance", claim.tolerance);
     read(given, "distances_only", claim.distances_only);
     claim.distances_only |= !has_open_class(claim.classes);
@@ -109,8 +107,7 @@ nb::dict verdict_of(const Proof& proof, const Claim& claim) {
 }
 
 nb::dict verify_points(const PointArray& array, const nb::dict& given, const Field* field,
-                       const Mask* mask, const nb::list& places,
-                       const std::optional<PointArray>& keep,
+                       const nb::list& places, const std::optional<PointArray>& keep,
                        const std::optional<ClassArray>& keep_classes,
                        const std::optional<ClassArray>& class_of) {
     const Outlines outlines(places);
@@ -122,7 +119,6 @@ nb::dict verify_points(const PointArray& array, const nb::dict& given, const Fie
         if (class_of) of_points = classes_of(*class_of);
         if (keep_classes) of_kept = classes_of(*keep_classes);
         claim.field = field;
-        claim.mask = mask;
         claim.places.outlines = outlines.copy();
         claim.keep = kept;
         claim.keep_classes = of_kept;
@@ -191,8 +187,8 @@ nb::dict analyze_sets(const nb::list& arrays, const nb::dict& given_options, nb:
 }  // namespace
 
 void add_judging(nb::module_& module) {
-    module.def("verify", verify_points, nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(),
-               nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg().none());
+    module.def("verify", verify_points, nb::arg(), nb::arg(), nb::arg().none(), nb::arg(),
+               nb::arg().none(), nb::arg().none(), nb::arg().none());
     module.def("analyze", analyze_sets, nb::arg(), nb::arg(), nb::arg().none());
 }
 

@@ -100,6 +100,7 @@ Request request_of(const nb::dict& given) {
     read(given, options::targets_of(request));
     request.domain = domain_in(given);
     read_classes(given, request.classes);
+    read_places(given, request.places);
     request.run_on = run_on_in(given);
     return request;
 }

@@ -77,6 +77,8 @@ inline RunOn run_on_in(const nb::dict& given) {
 }
 
 void read_classes(const nb::dict& given, Classes& classes);
+// Reads masks, borders and the edge, of all points and of classes; not outlines.
+void read_places(const nb::dict& given, Places& places);
 
 // A request without its mode, metric and arrays.
 Request request_of(const nb::dict& given);

@@ -65,8 +65,8 @@ nb::dict promises_of(const Claim& claim) {
     nb::dict promised;
     promised["radius"] = claim.radius;
     promised["scale"] = claim.scale;
-    promised["border"] = claim.border;
-    promised["borders"] = claim.classes.borders;
+    promised["border"] = claim.places.border;
+    promised["borders"] = claim.places.borders;
     promised["distances_only"] = claim.distances_only;
     promised["weights"] = claim.classes.weights;
     promised["counts"] = claim.classes.counts;
@@ -85,8 +85,8 @@ nb::dict promises_of(const Claim& claim) {
     promised["of_neighbours"] = array_of(std::move(of_neighbours));
     promised["inside_by_radius"] = claim.places.border_by_radius;
     promised["edge"] = claim.places.edge.value_or(0);
-    promised["has_mask"] =
-        claim.mask != nullptr || !claim.classes.masks.empty() || !claim.places.outlines.empty();
+    promised["has_mask"] = claim.places.mask != nullptr || !claim.places.masks.empty() ||
+                           !claim.places.outlines.empty();
     promised["has_field"] = claim.field != nullptr;
     promised["has_ellipses"] = claim.field != nullptr && !claim.field->stretches.empty();
     return promised;
@@ -155,8 +155,15 @@ void read_classes(const nb::dict& given, Classes& classes) {
     read(given, "distances", classes.distances);
     read(given, "weights", classes.weights);
     read(given, "counts", classes.counts);
-    read(given, "borders", classes.borders);
-    read(given, "masks", classes.masks);
+}
+
+void read_places(const nb::dict& given, Places& places) {
+    read(given, "mask", places.mask);
+    read(given, "masks", places.masks);
+    read(given, "border", places.border);
+    read(given, "borders", places.borders);
+    read(given, "edge", places.edge);
+    read(given, "inside_by_radius", places.border_by_radius);
 }
 
 namespace {
@@ -178,15 +185,12 @@ void settle(const nb::dict& given, const options::Moves& moves, Request& request
 }
 
 // Samples, and moves the points if that is asked for. Returns the attributes of a PointSet.
-nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* mask,
-                       const nb::list& places, const std::optional<PointArray>& keep,
+nb::dict sample_points(const nb::dict& given, const Field* field, const nb::list& places,
+                       const std::optional<PointArray>& keep,
                        const std::optional<ClassArray>& keep_classes, nb::object progress) {
     refuse_pairs(given);
     Request request = request_of(given);
     request.field = field;
-    request.mask = mask;
-    read(given, "edge", request.places.edge);
-    read(given, "inside_by_radius", request.places.border_by_radius);
     const options::Moves moves = moves_of(given);
     settle(given, moves, request);
     const Outlines outlines(places);
@@ -313,8 +317,8 @@ void add_sampling(nb::module_& module) {
                [](const std::vector<double>& radii) { return distances_by_union(radii); });
     module.def("make_field", make_field);
     module.def("ellipse_field", field_of_ellipses);
-    module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg(),
-               nb::arg().none(), nb::arg().none(), nb::arg().none());
+    module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none(),
+               nb::arg().none(), nb::arg().none());
     nb::class_<TileRing>(module, "TileRing");
     module.def("tile_ring", tile_ring);
     module.def("sample_many", sample_many_points, nb::arg(), nb::arg(), nb::arg().none(),

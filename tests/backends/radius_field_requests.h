@@ -43,7 +43,7 @@ inline FieldRequest radius_field_request(std::string name, Field field, double c
 
 inline FieldRequest with_mask(FieldRequest made, Mask mask) {
     made.mask = std::make_shared<const Mask>(std::move(mask));
-    made.request.mask = made.mask.get();
+    made.request.places.mask = made.mask.get();
     return made;
 }
 
@@ -54,7 +54,7 @@ inline FieldRequest with_keep(FieldRequest made, std::vector<Point> points) {
 }
 
 inline FieldRequest with_border(FieldRequest made, double border) {
-    made.request.border = border;
+    made.request.places.border = border;
     return made;
 }
 
@@ -73,9 +73,9 @@ inline FieldRequest with_classes(FieldRequest made, std::vector<double> distance
 // The same with places of their own: the border of each class, and the mask of the last one.
 inline FieldRequest with_places(FieldRequest made, std::vector<double> borders, Mask mask) {
     made.masks.push_back(std::make_shared<const Mask>(std::move(mask)));
-    made.request.classes.masks.resize(borders.size());
-    made.request.classes.masks.back() = made.masks.back().get();
-    made.request.classes.borders = std::move(borders);
+    made.request.places.masks.resize(borders.size());
+    made.request.places.masks.back() = made.masks.back().get();
+    made.request.places.borders = std::move(borders);
     return made;
 }
 
@@ -367,7 +367,8 @@ inline std::vector<FieldRequest> radius_field_requests() {
         made.request.run_on.threads = 1 + below(2);
         if (random() % 3 == 0)
             made = with_mask(made, noise_mask(1 + below(30), 1 + below(30), random()));
-        if (boundary == Boundary::box && random() % 3 == 0) made.request.border = 0.1 * share();
+        if (boundary == Boundary::box && random() % 3 == 0)
+            made.request.places.border = 0.1 * share();
         all.push_back(made);
     }
     return all;

@@ -126,7 +126,7 @@ inline std::uint32_t length_of(const std::vector<Span>& spans) {
 }
 
 inline bool has_boxes(const Plan& plan, const Snapshot& memory) {
-    return plan.has_field() || memory.box_width != 0;
+    return plan.has_radius_field() || memory.box_width != 0;
 }
 
 inline std::uint32_t count_bins(const Plan& plan, const Snapshot& memory) {

@@ -93,7 +93,7 @@ bool has_boxes(const Scene& scene) {
     return tests::has_boxes(scene.plan, scene.memory);
 }
 bool can_halve(const Scene& scene) {
-    return scene.memory.box_width > 1 || scene.plan.has_field();
+    return scene.memory.box_width > 1 || scene.plan.has_radius_field();
 }
 // Ends with the verb for the scene's bins.
 void whole_round(Backend& backend, const Scene& scene) {
@@ -185,7 +185,7 @@ void admit_one_a_cell(Scene& scene, tests::Chance& chance) {
         const std::uint32_t side = std::max(1u, device::grid_of(scene.plan).side);  // 0 in cells
         const bool is_first =
             taken.insert({candidate.x / side, candidate.y / side}).second &&
-            (!scene.plan.has_field() ||
+            (!scene.plan.has_radius_field() ||
              scene.plan.field().radius_field->radius_at(candidate.x, candidate.y) != 0);
         scene.memory.statuses[i] =
             is_first && chance.one_in(2) ? STATUS_ADMITTED : STATUS_REJECTED + chance.below(2);

@@ -138,7 +138,7 @@ void add_samples(const Shared& given, std::size_t size, std::vector<Call>& all) 
     });
     add(" on a field with a mask", [=](Request& r, const Given& g) {
         r.field = &g.field;
-        r.mask = &g.mask;
+        r.places.mask = &g.mask;
         r.scale = 0.005 * length;
     });
     add(" of a count", [=](Request& r, const Given&) { r.count = 30000 * size; });

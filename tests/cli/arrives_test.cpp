@@ -99,8 +99,7 @@ TEST_F(OptionsOfSample, ThatNamePicturesAndPointsArriveInTheRequest) {
     expect_arrivals({{{"--mask", mask, "--border", "0.02", "--keep", keep, "--radius", "0.05"},
                       {.domain = {.height = 0.5},
                        .radius = 0.05,
-                       .mask = &allowed,
-                       .border = 0.02,
+                       .places = {.mask = &allowed, .border = 0.02},
                        .keep = kept}},
                      {{"--field", picture, "--count", "300", "--invert", "--gamma", "1.7",
                        "--torus", "--seed", "5"},
@@ -135,14 +134,14 @@ TEST_F(OptionsOfSample, ThatNamePlacesArriveInTheRequest) {
     expect_arrivals(
         {{joined(common, {"--inside", low, "--inside", high, "--outside", pond, "--avoid", rocks,
                           "--border", "0.01"}),
-          {.radius = 0.03, .mask = border, .border = 0.01}},
+          {.radius = 0.03, .places = {.mask = border, .border = 0.01}}},
          // Objects of half of the distance of two.
          {joined(common, {"--inside", low, "--avoid", rocks, "--inside-by-radius"}),
-          {.radius = 0.03, .mask = by_radius, .border = 0.015}},
+          {.radius = 0.03, .places = {.mask = by_radius, .border = 0.015}}},
          {joined(common, {"--near", road + ":0.2", "--near", rocks, "--avoid", road + ":0.05"}),
-          {.radius = 0.03, .mask = near}},
+          {.radius = 0.03, .places = {.mask = near}}},
          {joined(common, {"--avoid", edge + ":0.2", "--torus"}),
-          {.domain = {.boundary = Boundary::torus}, .radius = 0.03, .mask = torus}}});
+          {.domain = {.boundary = Boundary::torus}, .radius = 0.03, .places = {.mask = torus}}}});
 }
 
 TEST_F(OptionsOfSample, ThatNameClassesArriveInTheRequest) {
@@ -178,25 +177,25 @@ TEST_F(OptionsOfSample, ThatNameClassesArriveInTheRequest) {
                         "--outside", "a:" + pond, "--edge",   "0.003"};
     expect_arrivals(
         {{joined(common, {"--mask", "a:" + left, "--mask", top}), with([&](Request& r) {
-              r.mask = &top_half;
-              r.classes.masks = {&left_half, nullptr};
+              r.places.mask = &top_half;
+              r.places.masks = {&left_half, nullptr};
           })},
          {joined(common, {"--border", "a:0.2", "--border", "0.03"}), with([](Request& r) {
-              r.border = 0.03;
-              r.classes.borders = {0.2, 0.03};
+              r.places.border = 0.03;
+              r.places.borders = {0.2, 0.03};
           })},
          {joined(common, {"--inside-by-radius"}), with([](Request& r) {
-              r.classes.borders = {0.05, 0.02};
+              r.places.borders = {0.05, 0.02};
           })},
          // Two of a class keep its radius, so that objects are half as large.
          {joined(common, {"--between", "union", "--inside-by-radius"}), with([](Request& r) {
               r.classes.distances = distances_by_union(std::vector{0.05, 0.02});
-              r.classes.borders = {0.025, 0.01};
+              r.places.borders = {0.025, 0.01};
           })},
-         {joined(common, of_each), with([&](Request& r) { r.classes.masks = each(0, 0); })},
+         {joined(common, of_each), with([&](Request& r) { r.places.masks = each(0, 0); })},
          {joined(joined(common, of_each), {"--inside-by-radius"}), with([&](Request& r) {
-              r.classes.masks = each(0.05, 0.02);
-              r.classes.borders = {0.05, 0.02};
+              r.places.masks = each(0.05, 0.02);
+              r.places.borders = {0.05, 0.02};
           })},
          {{"--class", "a:0.05:1:12", "--class", "b:0.02"}, with([](Request& r) {
               r.classes.counts = {12, {}};

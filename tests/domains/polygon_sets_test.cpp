@@ -119,7 +119,7 @@ TEST(SetsOfPolygons, AreFilledAndProvenFull) {
         } catch (const BadRequest&) {
             continue;
         }
-        request.mask = &mask;
+        request.places.mask = &mask;
         std::vector<Point> points = sample(request).points;
         Claim claim;
         claim.radius = *request.radius;
@@ -149,7 +149,7 @@ TEST(SetsOfPolygons, HaveTheSamplesOfPixelsWhoseCentresLieInThem) {
     request.on_pixels = {60, 60};
     request.count = 1275;  // 50 + 49 + ... + 1 centres
     const Mask mask = draw_places({&set, 1}, request.domain, 1);
-    request.mask = &mask;
+    request.places.mask = &mask;
     for (const Point& point : sample(request).points)
         EXPECT_TRUE(point.x > 5 && point.y > 5 && point.x + point.y < 60.5);
     request.count = 1276;
@@ -165,7 +165,7 @@ TEST(SetsOfPolygons, HaveACountOnAFieldThatIsFinerThanTheirMask) {
     const Mask mask = draw_places({&set, 1}, request.domain, 0.4);
     ASSERT_LT(mask.columns, 9U);
     request.field = &field;
-    request.mask = &mask;
+    request.places.mask = &mask;
     request.count = 50;
     const std::vector<Point> points = sample(request).points;
     EXPECT_EQ(points.size(), 50U);

@@ -74,9 +74,10 @@ inline OptionsText common_options_of(const Made& made) {
         line.add("class", classes.names[i], ":", made.radii[i], ":",
                  classes.weights.empty() ? 1 : classes.weights[i]);
     if (made.is(kClasses, "union")) line.add("between", "union");
-    if (request.border > 0 && classes.borders.empty()) line.add("border", request.border);
-    for (std::size_t i = 0; i < classes.borders.size(); ++i)
-        line.add("border", classes.names[i], ":", classes.borders[i]);
+    const Places& places = request.places;
+    if (places.border > 0 && places.borders.empty()) line.add("border", places.border);
+    for (std::size_t i = 0; i < places.borders.size(); ++i)
+        line.add("border", classes.names[i], ":", places.borders[i]);
     return line;
 }
 
@@ -112,10 +113,10 @@ inline void judge_in_c(const Made& made, const Answer& answer, Counts& counts) {
         given.columns = request.field->columns;
         given.rows = request.field->rows;
     }
-    if (request.mask != nullptr) {
-        given.allowed = request.mask->allowed.data();
-        given.mask_columns = request.mask->columns;
-        given.mask_rows = request.mask->rows;
+    if (request.places.mask != nullptr) {
+        given.allowed = request.places.mask->allowed.data();
+        given.mask_columns = request.places.mask->columns;
+        given.mask_rows = request.places.mask->rows;
     }
     given.kept = numbers_of(request.keep);
     given.kept_count = request.keep.size();

@@ -26,7 +26,7 @@ inline std::string fault_of_kept(const Made& made, std::span<const Point> points
 
 inline double hard_place(Chooser& choose, const Made& made, double side, std::uint32_t pixels,
                          std::uint32_t others) {
-    const double border = made.request.border;
+    const double border = made.request.places.border;
     const double near = 0.999 * made.request.domain.longer_side() * 0x1p-28;
     switch (choose.below(5)) {
         case 0:
@@ -46,7 +46,7 @@ inline double hard_place(Chooser& choose, const Made& made, double side, std::ui
 }
 
 // Instead of some of the kept points: at corners, on borders of pixels or close enough to count
-// for both pixels, at Request::border, or at exactly the least distance from another one.
+// for both pixels, at Places::border, or at exactly the least distance from another one.
 inline void add_hard_points(Chooser& choose, Made& made) {
     const Request& request = made.request;
     made.keep.resize(1 + choose.below(static_cast<std::uint32_t>(made.keep.size())));

@@ -56,7 +56,7 @@ inline void judge_elsewhere(const Made& made, const std::vector<std::string>& ba
     try {
         if (!sets.empty()) {
             mask = draw_places(sets, domain, made.edge);
-            request.mask = &mask;
+            request.places.mask = &mask;
         }
         request.run_on.backend = backends[1 + random() % (backends.size() - 1)];
         made_there = sample(request);
@@ -88,8 +88,9 @@ inline void judge_elsewhere(const Made& made, const std::vector<std::string>& ba
         const std::string fault = set.judge().fault();
         demand(fault.empty(), fault);
         if (!sets.empty()) {
-            claim.mask = nullptr;
-            claim.places = places_of(sets, made.edge);
+            claim.places.mask = nullptr;
+            claim.places.outlines = places_of(sets, made.edge).outlines;
+            claim.places.edge = made.edge;
         }
         if (set.points.size() < set.kept)
             claim.keep = claim.keep.first(set.points.size()),

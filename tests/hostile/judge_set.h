@@ -65,9 +65,10 @@ inline Claim claim_of(const Set& set) {
     claim.domain = request.domain;
     claim.field = request.field;
     (request.field != nullptr ? claim.scale : claim.radius) = set.size;
-    claim.mask = set.polygons.empty() ? request.mask : nullptr;
-    claim.places = places_of(set.polygons, set.edge);
-    claim.border = request.border;
+    claim.places = request.places;
+    if (!set.polygons.empty()) claim.places.mask = nullptr;
+    claim.places.outlines = places_of(set.polygons, set.edge).outlines;
+    claim.places.edge = set.edge;
     // A limit cuts kept points; then neighbours do not matter.
     const bool is_cut = set.points.size() < set.kept;
     claim.keep = is_cut ? request.keep.first(set.points.size()) : request.keep;

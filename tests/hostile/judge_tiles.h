@@ -40,8 +40,8 @@ inline void judge_tiles(const Made& made, const Result& left, const Result& righ
         masks.push_back({2 * mask->columns, mask->rows, doubled(mask->allowed, mask->columns)});
         mask = &masks.back();
     };
-    double_mask(both.mask);
-    for (const Mask*& mask : both.classes.masks) double_mask(mask);
+    double_mask(both.places.mask);
+    for (const Mask*& mask : both.places.masks) double_mask(mask);
     // Moving the points of a tile rounds them.
     Set set{both};
     set.size = (both.field != nullptr ? left.scale : left.radius) * (1 - 1e-12);

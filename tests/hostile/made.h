@@ -83,14 +83,14 @@ inline Row levels_of(const Made& made) {
     row[kMode] = level(request.mode);
     row[kRadii] = request.field == nullptr ? 0 : request.field->stretches.empty() ? 1 : 2;
     row[kClasses] = request.classes.names.empty() ? 0 : made.row[kClasses];
-    row[kMask] = !request.classes.masks.empty()                     ? 2
-                 : request.mask != nullptr && made.polygons.empty() ? 1
-                                                                    : 0;
+    row[kMask] = !request.places.masks.empty()                             ? 2
+                 : request.places.mask != nullptr && made.polygons.empty() ? 1
+                                                                           : 0;
     row[kInside] = has(Role::inside);
     row[kOutside] = has(Role::outside);
     row[kAvoid] = has(Role::avoid);
     row[kNear] = has(Role::near);
-    row[kBorder] = request.border > 0 ? 1 : 0;
+    row[kBorder] = request.places.border > 0 ? 1 : 0;
     row[kKeep] = request.keep.empty() || made.frame > 0 ? 0 : made.neighbours.empty() ? 1 : 2;
     row[kEdges] = request.domain.wraps() ? 1 : 0;
     row[kDomain] = aspect > 3.1 ? 1 : 0;
@@ -124,10 +124,11 @@ inline std::string describe(const Made& made) {
     if (request.count) out << ", count " << *request.count;
     if (request.field != nullptr)
         out << ", field of " << made.field.columns << "x" << made.field.rows;
-    if (request.mask != nullptr) out << ", mask of " << made.mask.columns << "x" << made.mask.rows;
+    if (request.places.mask != nullptr)
+        out << ", mask of " << made.mask.columns << "x" << made.mask.rows;
     if (!request.classes.names.empty()) out << ", " << request.classes.names.size() << " classes";
-    out << ", border " << request.border;
-    for (const double border : request.classes.borders) out << ":" << border;
+    out << ", border " << request.places.border;
+    for (const double border : request.places.borders) out << ":" << border;
     out << ", " << made.keep.size() << " kept, " << made.neighbours.size() << " outside, limit "
         << request.limit.value_or(0) << ", round size " << request.paper2011.round_size << ", m "
         << request.paper2011.lines_per_radius.value_or(0) << ", seed " << request.seed

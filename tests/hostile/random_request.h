@@ -70,7 +70,7 @@ private:
         choose_radii(made);
         if (is(kMask, "yes")) {
             made.mask = random_mask(choose_);
-            request.mask = &made.mask;
+            request.places.mask = &made.mask;
         }
         if (is(kMask, "of classes")) choose_masks(made);
         if (has_polygons() && !choose_polygons(made)) return false;
@@ -78,10 +78,10 @@ private:
             return request.domain.shorter_side() / 2 *
                    std::array{1e-9, choose_.in(0, 0.5), 1 - 1e-3}[choose_.below(3)];
         };
-        if (is(kBorder, "yes")) request.border = border();
+        if (is(kBorder, "yes")) request.places.border = border();
         if (is(kBorder, "yes") && choose_.one_in(2))
             for (std::size_t i = 0; i < request.classes.names.size(); ++i)
-                request.classes.borders.push_back(choose_.one_in(4) ? 0 : border());
+                request.places.borders.push_back(choose_.one_in(4) ? 0 : border());
         if (is(kMode, "pixels")) {
             request.on_pixels = {1 + choose_.below(300), 1 + choose_.below(300)};
             if (!is_refused && !has_spare_pixels(request)) return false;
@@ -116,7 +116,7 @@ private:
             return values[std::size_t{pixels.rows - 1 - pixels.rows / 2} * pixels.columns +
                           pixels.columns / 2] != 0;
         };
-        return (made.request.mask == nullptr || is_open(made.mask, made.mask.allowed)) &&
+        return (made.request.places.mask == nullptr || is_open(made.mask, made.mask.allowed)) &&
                (made.request.field == nullptr || is_open(made.field, made.field.importance));
     }
 
@@ -259,11 +259,11 @@ private:
             Mask& mask = made.masks.back();
             if (is(kKeep, "outside") && mask.allowed.size() != first.allowed.size()) mask = first;
             mask.columns = is(kKeep, "outside") ? first.columns : mask.columns;
-            made.request.classes.masks.push_back(i > 0 && choose_.one_in(3) ? nullptr : &mask);
+            made.request.places.masks.push_back(i > 0 && choose_.one_in(3) ? nullptr : &mask);
         }
         if (!choose_.one_in(2)) return;
         made.mask = first;
-        made.request.mask = &made.mask;
+        made.request.places.mask = &made.mask;
     }
 
     // On a torus obstacles have images on all sides.
@@ -304,7 +304,7 @@ private:
                 add(random_lines(choose_, domain), {.role = Role::near, .distance = 4 * some()});
         }
         made.mask = draw_mask(made.polygons, request.domain, made.edge);
-        request.mask = &made.mask;
+        request.places.mask = &made.mask;
         return has_places(request);
     }
 

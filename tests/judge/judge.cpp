@@ -66,8 +66,8 @@ double Judge::blur() const {
 }
 
 bool Judge::is_uniform() const {
-    return request_.field == nullptr && request_.mask == nullptr && request_.keep.empty() &&
-           request_.border == 0 && request_.classes.names.empty() && polygons_.empty();
+    return request_.field == nullptr && request_.places.mask == nullptr && request_.keep.empty() &&
+           request_.places.border == 0 && request_.classes.names.empty() && polygons_.empty();
 }
 
 double Judge::tolerance() const {
@@ -83,13 +83,13 @@ std::size_t Judge::kinds() const {
 }
 
 double Judge::border(std::uint8_t kind) const {
-    const std::vector<double>& own = request_.classes.borders;
-    return own.empty() ? request_.border : own[kind];
+    const std::vector<double>& own = request_.places.borders;
+    return own.empty() ? request_.places.border : own[kind];
 }
 
 const Mask* Judge::mask_of(std::uint8_t kind) const {
-    const std::vector<const Mask*>& own = request_.classes.masks;
-    const Mask* const mask = own.empty() || own[kind] == nullptr ? request_.mask : own[kind];
+    const std::vector<const Mask*>& own = request_.places.masks;
+    const Mask* const mask = own.empty() || own[kind] == nullptr ? request_.places.mask : own[kind];
     return mask == nullptr || mask->allowed.empty() ? nullptr : mask;
 }
 

@@ -96,8 +96,8 @@ TEST(Making, RefusesWhatRelaxingExcludes) {
     };
     const std::vector<std::pair<std::string, Request>> cases{
         {"--progressive", {.count = 20, .progressive = true}},
-        {"--mask", {.count = 20, .mask = &mask}},
-        {"--border", {.count = 20, .border = 0.1}},
+        {"--mask", {.count = 20, .places = {.mask = &mask}}},
+        {"--border", {.count = 20, .places = {.border = 0.1}}},
         {"--keep", {.count = 20, .keep = kept}},
         {"--class", {.count = 20, .classes = {{"a"}, {0.1}}}},
         {"--ellipses", {.count = 20, .field = &ellipses}}};

@@ -36,7 +36,7 @@ TEST(AKeptPoint, LiesInATorusOrAnywhereBesideABox) {
 
 TEST(AKeptPoint, LiesWhereTheMaskAndTheFieldAllowIt) {
     const Mask mask{2, 2, {0, 1, 1, 1}};  // the upper left quarter is forbidden
-    const Request masked{.radius = 0.1, .mask = &mask};
+    const Request masked{.radius = 0.1, .places = {.mask = &mask}};
     // A point on the border of two pixels may be taken to lie on either.
     EXPECT_EQ(refused(masked, {{0.25, 0.25}, {0.5, 0.5}, {0.25, 0.5}, {0.25, 0.5000001}}), "3");
     const Field field{2, 1, {0, 1}};

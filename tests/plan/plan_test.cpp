@@ -102,7 +102,7 @@ RC_GTEST_PROP(Plan, RoundsDistancesInTheUsersFavour, ()) {
     request.run_on.memory_limit_bytes = std::uint64_t{1} << 50;
     move_corner(request.domain);
     const bool has_field = request.mode == Mode::exact && *rc::gen::inRange(0, 4) == 0;
-    if (has_field) request.border = request.domain.shorter_side() * 1e-6;
+    if (has_field) request.places.border = request.domain.shorter_side() * 1e-6;
     const Plan plan = make_plan(request);
     const auto x = *rc::gen::inRange<std::uint32_t>(0, plan.width - plan.radius);
     const auto y = *rc::gen::inRange<std::uint32_t>(0, plan.height);

@@ -204,9 +204,9 @@ TEST(ChunksOfClasses, RefusePointsOutsideOfMasksOfDifferentSizes) {
     request.keep = keep;
     request.keep_classes = first;
     request.classes = {.names = {"a", "b"}, .distances = {0.1, 0.1, 0.1, 0.1}};
-    request.classes.masks = {&wide, &same};
+    request.places.masks = {&wide, &same};
     EXPECT_EQ(tests::refusal_of([&] { sample(request); }), "accepted");
-    request.classes.masks[1] = &high;
+    request.places.masks[1] = &high;
     EXPECT_EQ(tests::refusal_of([&] { sample(request); }),
               "keep point 0 at (-0.5, 0.5): with masks of different sizes must lie in the domain, "
               "[0, 1] x [0, 1]");
@@ -219,8 +219,8 @@ TEST(ChunksOfClasses, RefuseDistancesFarBeyondTheDomain) {
         Request request;
         request.classes.names = {"trees", "grass"};
         request.classes.distances = {2 * far, far, far, far / 1000};
-        request.border = 0.3;
-        request.mask = mask;
+        request.places.border = 0.3;
+        request.places.mask = mask;
         const std::vector<Point> keep{{-far, 0.5}};
         const std::vector<std::uint8_t> keep_classes{0};
         request.keep = keep;

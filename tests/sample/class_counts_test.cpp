@@ -82,7 +82,7 @@ TEST(CountsOfClasses, BesideAClassThatIsNotDrawnLeaveNothingMaximal) {
     Request request = wood();
     request.classes.counts = {2, {}, 3};
     request.classes.weights = {1, 0, 1};
-    request.classes.borders = {0.01, 0, 0};
+    request.places.borders = {0.01, 0, 0};
     const Result set = sample(request);
     EXPECT_EQ(set.points.size(), 5U);
     EXPECT_FALSE(set.maximal);

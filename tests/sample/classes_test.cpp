@@ -84,7 +84,7 @@ TEST(Classes, AreDrawnByTheirWeights) {
 
 TEST(Classes, RefuseKeptPointsWithinTheirBorderAndOffTheirMask) {
     Request request = request_of({0.1, 0.1, 0.1, 0.1});
-    request.classes.borders = {0, 0.2};
+    request.places.borders = {0, 0.2};
     const std::vector<Point> keep{{0.1, 0.5}};
     request.keep = keep;
     const std::vector<std::uint8_t> near{0}, far{1};
@@ -97,8 +97,8 @@ TEST(Classes, RefuseKeptPointsWithinTheirBorderAndOffTheirMask) {
               "keep point 0 at (0.1, 0.5): must be at least the border, 0.2, from the domain's "
               "edges");
     const Mask right{2, 1, {0, 1}};
-    request.classes.borders = {};
-    request.classes.masks = {nullptr, &right};
+    request.places.borders = {};
+    request.places.masks = {nullptr, &right};
     EXPECT_EQ(tests::refusal_of([&] { sample(request); }),
               "keep point 0 at (0.1, 0.5): must lie where the mask is not 0");
 }

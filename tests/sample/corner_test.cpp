@@ -67,9 +67,9 @@ protected:
         add("lines", [](Request& r) { r.mode = Mode::lines; });
         add("count", [](Request& r) { r.radius.reset(), r.count = 500; });
         add("limit", [](Request& r) { r.limit = 40; });
-        add("border", [](Request& r) { r.border = 0.3; });
+        add("border", [](Request& r) { r.places.border = 0.3; });
         add("keep", [&](Request& r) { r.keep = keep_; });
-        add("mask", [&](Request& r) { r.mask = &mask_; });
+        add("mask", [&](Request& r) { r.places.mask = &mask_; });
         add("field", [&](Request& r) { follow(r, field_); });
         add("ellipses", [&](Request& r) { follow(r, stretched_); });
         add("cells", [&](Request& r) { follow(r, field_), r.mode = Mode::cells; });

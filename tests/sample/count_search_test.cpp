@@ -11,7 +11,7 @@ TEST(TheSearchForACount, TakesASetOfExactlyTheCountAndNoneThatIsFarLarger) {
     Request request;
     request.count = 500;
     for (const Mask* const mask : {static_cast<const Mask*>(nullptr), &everywhere}) {
-        request.mask = mask;
+        request.places.mask = mask;
         const auto search = search_for_count(request, nullptr);
         const Trial first = search->next();
         EXPECT_FALSE(search->is_enough(499));

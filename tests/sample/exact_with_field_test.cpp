@@ -46,7 +46,7 @@ TEST(ASetWithARadiusField, OfACountOnAMaskThatIsCoarserThanTheField) {
     Mask mask{4, 1, {1, 0, 1, 1}};
     Request request;
     request.field = &field;
-    request.mask = &mask;
+    request.places.mask = &mask;
     request.count = 50;
     EXPECT_EQ(sample(request).points.size(), 50U);
     // Of the left pixel of the field the right fifth is allowed, and the middle of no pixel there.
@@ -72,7 +72,7 @@ TEST(KeptPoints, ThatLieWithin2ToTheMinus28OfWhereSamplesMayKeepTheirDistance) {
             made.request.scale = 0.1;
             made.request.field = &field;
         } else {
-            made.request.mask = &left;
+            made.request.places.mask = &left;
         }
         std::vector<Point> beside;
         for (const double y : {0.1, 0.3, 0.5, 0.7, 0.9}) beside.push_back({0.5 + 0x1.8p-29, y});
@@ -81,7 +81,7 @@ TEST(KeptPoints, ThatLieWithin2ToTheMinus28OfWhereSamplesMayKeepTheirDistance) {
         Claim claim;
         claim.radius = claim.scale = 0.1;
         claim.field = made.request.field;
-        claim.mask = made.request.mask;
+        claim.places.mask = made.request.places.mask;
         claim.keep = beside;
         const Proof proof = prove(result.points, claim);
         EXPECT_GE(proof.least_distance, 0.1) << proof.first << " and " << proof.second;

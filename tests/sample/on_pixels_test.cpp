@@ -166,7 +166,7 @@ TEST(SamplesOnPixels, ComeRowByRowFromTheTop) {
 TEST(SamplesOnPixels, LieWhereTheirCentresAreAllowed) {
     Request request = on_pixels({60, 60}, 400);
     const Mask mask{2, 1, {0, 1}};
-    request.mask = &mask;
+    request.places.mask = &mask;
     for (const Point& point : sample(request).points) EXPECT_GT(point.x, 30);
     request.count = 1800;
     EXPECT_EQ(sample(request).points.size(), 1800u);

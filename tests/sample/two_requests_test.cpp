@@ -68,10 +68,10 @@ TEST(TwoRequests, MakeOneSetOrTheBeginningOfIt) {
          {keep},
          {one, keep, [&](Request& r) { r.keep_classes = kinds; }}},
         {"the border and the mask of one class",
-         {[&](Request& r) { r.border = 0.1, r.mask = &chess; }},
+         {[&](Request& r) { r.places.border = 0.1, r.places.mask = &chess; }},
          {one,
           [&](Request& r) {
-              r.border = 0.3, r.classes.borders = {0.1}, r.classes.masks = {&chess};
+              r.places.border = 0.3, r.places.borders = {0.1}, r.places.masks = {&chess};
           }}},
         {"a limit of a count, whose first radius has room for fewer points",
          {narrow},

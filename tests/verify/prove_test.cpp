@@ -119,9 +119,10 @@ TEST(Prove, AcceptsAGapThatIsOverTheLimitByAsMuchAsIsPromisedAndNoMore) {
              {"one radius", 1, [](Claim&, double) {}},
              {"a field", 2, follow(even)},
              {"ellipses", 2, follow(round)},
-             {"a mask", 2, [&](Claim&claim, double) { claim.mask = &all; }},
+             {"a mask", 2, [&](Claim&claim, double) { claim.places.mask = &all; }},
              {"polygons", 2, [&](Claim&claim, double) { claim.places = tests::places_of(square); }},
-             {"a border", 2, [](Claim&claim, double) { claim.border = 0.25; }, std::sqrt(0.125)},
+             {"a border", 2, [](Claim&claim, double) { claim.places.border = 0.25; },
+              std::sqrt(0.125)},
              {"a kept point", 2,
               [&](Claim&claim, double) {
                   claim.keep = {&middle, 1};

@@ -28,7 +28,7 @@ PolygonRing square(double low, double high) {
 TEST(AMask, HasNoPointWhereItIsZeroAndNeedsNoneThere) {
     const Mask right_is_closed{2, 1, {7, 0}};
     Claim claim = unit_claim(0.56);
-    claim.mask = &right_is_closed;
+    claim.places.mask = &right_is_closed;
     EXPECT_TRUE(prove(std::vector<Point>{{0.25, 0.5}}, claim).maximal);
     const Proof proof = prove(std::vector<Point>{{0.25, 0.5}, {0.75, 0.5}}, claim);
     EXPECT_EQ(proof.forbidden, 1U);
@@ -45,7 +45,7 @@ TEST(AMask, HasNoPointWhereItIsZeroAndNeedsNoneThere) {
 TEST(AMasksRows, LieFromTheTopDown) {
     const Mask top_is_open{1, 2, {1, 0}};
     Claim claim = unit_claim(2);
-    claim.mask = &top_is_open;
+    claim.places.mask = &top_is_open;
     EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.9}}, claim).maximal);
     EXPECT_EQ(prove(std::vector<Point>{{0.5, 0.1}}, claim).forbidden, 0U);
 }
@@ -66,10 +66,10 @@ TEST(Polygons, LeaveAThinDomainBareWhereItIsFarFromTheirEdges) {
         claim.domain.height = height;
         claim.places = tests::places_of(rings);
         claim.places.edge = 1.7 * height;
-        claim.border = std::uniform_real_distribution<double>(0.2, 0.25)(random) * height;
+        claim.places.border = std::uniform_real_distribution<double>(0.2, 0.25)(random) * height;
         const std::vector<Point> points{{0.32, 0.7 * height}, {0.75, 0.26 * height}};
         const Proof proof = prove(points, claim);
-        ASSERT_FALSE(proof.covered) << "height " << height << ", border " << claim.border;
+        ASSERT_FALSE(proof.covered) << "height " << height << ", border " << claim.places.border;
         ASSERT_GT(proof.largest_gap_distance, 2.3);
     }
 }
@@ -97,7 +97,7 @@ TEST(TheLargestGap, OnTheBorderOfTwoPixelsHasTheRadiusOfItsOwn) {
     claim.scale = 5.8205682657952513;
     claim.places = tests::places_of(rings);
     claim.places.edge = 2.1141443558913072;
-    claim.border = 1.0028013007739024e-08;
+    claim.places.border = 1.0028013007739024e-08;
     const std::vector<Point> points{
         {10.69488433251901, 13.05564567412701},    {1.915294664401761, 12.510053977451616},
         {19.440596037321889, 1.7611170067574429},  {14.453382790772306, 23.086867671499796},
@@ -182,7 +182,7 @@ TEST(SeveralSetsOfPolygons, AllowPointsInAnyAndInNoneThatIsForbidden) {
 
 TEST(ABorder, HasNoPointAndNeedsNone) {
     Claim claim = unit_claim(0.425);
-    claim.border = 0.2;
+    claim.places.border = 0.2;
     EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
     const Proof proof = prove(std::vector<Point>{{0.5, 0.19}}, claim);
     EXPECT_EQ(proof.forbidden, 0U);
@@ -192,9 +192,9 @@ TEST(ABorder, HasNoPointAndNeedsNone) {
     EXPECT_FALSE(proof_of_gap.covered);
     EXPECT_NEAR(proof_of_gap.largest_gap_distance, std::hypot(0.3, 0.3), 1e-7);
     EXPECT_NEAR(std::abs(proof_of_gap.largest_gap.x - 0.5), 0.3, 1e-7);
-    claim.border = 0.5;
+    claim.places.border = 0.5;
     EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
-    claim.border = 0.6;
+    claim.places.border = 0.6;
     EXPECT_TRUE(prove(std::vector<Point>{}, claim).covered);
 }
 
@@ -205,13 +205,13 @@ TEST(TheLargestGap, AtTheEdgeOfAMaskHasItsRadiusOnTheSideThatIsOpen) {
     const Mask left_is_open{2, 1, {1, 0}};
     for (int i = 0; i < 300; ++i) {
         Claim claim = unit_claim(0.1);
-        claim.mask = &left_is_open;
-        claim.border = std::pow(10, -std::uniform_real_distribution<double>(1, 12)(random));
+        claim.places.mask = &left_is_open;
+        claim.places.border = std::pow(10, -std::uniform_real_distribution<double>(1, 12)(random));
         const Proof proof = prove(std::vector<Point>{{0.25, 0.5}}, claim);
         EXPECT_FALSE(proof.covered);
         EXPECT_EQ(proof.largest_gap_limit, 0.1);
-        const double low = claim.border - 0.5;
-        EXPECT_NEAR(proof.largest_gap_distance, std::hypot(0.25, low), 1e-6) << claim.border;
+        const double low = claim.places.border - 0.5;
+        EXPECT_NEAR(proof.largest_gap_distance, std::hypot(0.25, low), 1e-6) << claim.places.border;
     }
 }
 
@@ -245,14 +245,14 @@ TEST(AClaim, OfPlacesThatMakeNoSenseIsABadRequestThatNamesTheOption) {
     const std::vector<PolygonRing> line{PolygonRing{{0, 0}, {1, 1}}};
     const std::vector<PolygonRing> broken{PolygonRing{{0, 0}, {1, 1}, {0, std::nan("")}}};
     const std::vector<PolygonRing> whole{square(0, 1)};
-    EXPECT_EQ(option_refused([&](Claim& claim) { claim.mask = &empty; }), "mask");
-    EXPECT_EQ(option_refused([&](Claim& claim) { claim.mask = &short_of_one; }), "mask");
+    EXPECT_EQ(option_refused([&](Claim& claim) { claim.places.mask = &empty; }), "mask");
+    EXPECT_EQ(option_refused([&](Claim& claim) { claim.places.mask = &short_of_one; }), "mask");
     EXPECT_EQ(option_refused([&](Claim& claim) { claim.places = tests::places_of(line); }),
               "inside");
     EXPECT_EQ(option_refused([&](Claim& claim) { claim.places = tests::places_of(broken); }),
               "inside");
     for (const double bad : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-        EXPECT_EQ(option_refused([&](Claim& claim) { claim.border = bad; }), "border");
+        EXPECT_EQ(option_refused([&](Claim& claim) { claim.places.border = bad; }), "border");
         EXPECT_EQ(option_refused([&](Claim& claim) {
                       claim.places = tests::places_of(whole);
                       claim.places.edge = bad;
@@ -260,12 +260,12 @@ TEST(AClaim, OfPlacesThatMakeNoSenseIsABadRequestThatNamesTheOption) {
                   "edge");
     }
     EXPECT_EQ(option_refused([](Claim& claim) {
-                  claim.border = 0.1;
+                  claim.places.border = 0.1;
                   claim.domain.boundary = Boundary::torus;
               }),
               "border");
     EXPECT_EQ(option_refused([](Claim& claim) {
-                  claim.border = 0.1;
+                  claim.places.border = 0.1;
                   claim.radius = 1e-12;
               }),
               "radius");

@@ -14,7 +14,7 @@ Resolved resolve(const Request& given) {
     return {.request = given};
 }
 
-places::Sets::Sets(const Places&, const Domain&, double, const Classes&) : kinds_(1), sets_(1) {}
+places::Sets::Sets(const Places&, const Domain&, const Classes&) : kinds_(1), sets_(1) {}
 
 void places::check(const Claim&) {}
 

@@ -91,7 +91,7 @@ private:
     }
 
     std::unique_ptr<Bins> make_bins(const Plan& plan) {
-        if (plan.has_field()) return make_field_boxes(plan, workers_);
+        if (plan.has_radius_field()) return make_field_boxes(plan, workers_);
         if (plan.is_cells()) return make_lattice(plan, workers_);
         return plan.has_grid() ? make_uniform_boxes(plan, workers_)
                                : make_line_bins(plan, workers_);

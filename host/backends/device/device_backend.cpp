@@ -133,7 +133,7 @@ private:
     }
 
     std::unique_ptr<Bins> make_bins(const Tuning& tuning) {
-        if (round_.plan.has_field()) return make_field_boxes(round_);
+        if (round_.plan.has_radius_field()) return make_field_boxes(round_);
         return round_.plan.is_cells() ? make_lattice(round_, tuning) : make_spans(round_, tuning);
     }
 

@@ -30,14 +30,15 @@ std::vector<Slab> share_out(std::uint32_t lines, std::uint32_t capacity,
 namespace {
 
 std::uint32_t rule_of(const Plan& plan) {
-    if (plan.has_field() && plan.field().radius_field->has_ellipses()) return RULE_OF_ELLIPSES;
+    if (plan.has_radius_field() && plan.field().radius_field->has_ellipses())
+        return RULE_OF_ELLIPSES;
     return plan.is_exact() ? RULE_OF_DISKS : RULE_OF_LINES;
 }
 
 }  // namespace
 
 GridShape grid_of(const Plan& plan) {
-    if (plan.is_cells() || plan.has_field()) return {};
+    if (plan.is_cells() || plan.has_radius_field()) return {};
     if (plan.is_exact()) return plan.grid();
     return lacuna::grid_of(plan.width, plan.height,
                            std::max(plan.radius - plan.strip_width / 2, 2u));
@@ -76,7 +77,7 @@ portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uin
             .grid_side = grid.side,
             .grid_columns = grid.columns,
             .grid_rows = grid.rows,
-            .copy_bits = plan.has_field() ? plan.field().copies.bits() : BITS_OF_ONE_COPY};
+            .copy_bits = plan.has_radius_field() ? plan.field().copies.bits() : BITS_OF_ONE_COPY};
 }
 
 Range draws_of(const Slab& slab, std::span<const Draw> draws) {
@@ -216,14 +217,14 @@ Needs needs_of_field(const Plan& plan, std::uint64_t round) {
 }
 
 Needs needs_of(const Plan& plan, std::uint64_t round) {
-    if (plan.has_field()) return needs_of_field(plan, round);
+    if (plan.has_radius_field()) return needs_of_field(plan, round);
     return plan.is_cells() ? needs_of_cells(plan, round) : needs_of_lines(plan, round);
 }
 
 }  // namespace
 
 std::uint64_t room_for_boxes(const Plan& plan) {
-    const double of_sample = plan.has_field() ? kFieldBoxesPerSample : kBoxesPerSample;
+    const double of_sample = plan.has_radius_field() ? kFieldBoxesPerSample : kBoxesPerSample;
     return static_cast<std::uint64_t>(of_sample * static_cast<double>(plan.expected_samples));
 }
 

@@ -222,7 +222,7 @@ void RoundMemory::merge_parts(Snapshot& snapshot) const {
     std::iota(all.begin(), all.end(), 0);
     const auto key = [&](std::uint32_t i) {
         const Candidate& candidate = by_part.candidates[i];
-        if (plan.has_field()) return std::tuple(0u, 0u, candidate.order);
+        if (plan.has_radius_field()) return std::tuple(0u, 0u, candidate.order);
         return std::tuple(portable::column_of_line(candidate.home, plan.lines, geometry.columns),
                           candidate.y, candidate.order);
     };
@@ -231,7 +231,7 @@ void RoundMemory::merge_parts(Snapshot& snapshot) const {
     for (std::uint32_t i = 0; i < draw_count; ++i) {
         snapshot.candidates[i] = by_part.candidates[all[i]];
         snapshot.statuses[i] = by_part.statuses[all[i]];
-        if (plan.has_field()) snapshot.candidates[i].home = 0;
+        if (plan.has_radius_field()) snapshot.candidates[i].home = 0;
     }
 }
 

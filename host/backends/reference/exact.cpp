@@ -113,8 +113,8 @@ class Exact : public FreeSpace {
 public:
     explicit Exact(const Plan& plan)
         : plan_(plan),
-          field_(plan.has_field() ? plan.field().radius_field.get() : nullptr),
-          copies_(plan.has_field() ? plan.field().copies : ClassCopies()),
+          field_(plan.has_radius_field() ? plan.field().radius_field.get() : nullptr),
+          copies_(plan.has_radius_field() ? plan.field().copies : ClassCopies()),
           samples_(copies_.count(), Samples(plan)),
           recent_(samples_),
           spans_(plan),

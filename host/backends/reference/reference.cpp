@@ -48,7 +48,7 @@ std::vector<std::uint64_t> marginal_cdf(const Plan& plan, const FreeSpace& space
 // With classes: how random bits are shared among the copies, whose bins follow each other.
 std::optional<CopyShares> shares_of_copies(const Plan& plan, const FreeSpace& space,
                                            const std::vector<std::uint64_t>& cdf) {
-    if (!plan.has_field() || !plan.field().copies.are_several()) return std::nullopt;
+    if (!plan.has_radius_field() || !plan.field().copies.are_several()) return std::nullopt;
     const ClassCopies& copies = plan.field().copies;
     std::vector<std::uint64_t> areas(copies.count());
     for (std::uint32_t bin = 0; bin < cdf.size(); ++bin)

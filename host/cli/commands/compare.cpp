@@ -176,8 +176,9 @@ void run(const CommandLine& line, const CompareCommand& given, const Sampler& sa
     Request request = options.request;
     Field field;
     if (options.given.is_picture) {
-        field = read_field(options.picture, request);
+        field = read_field(options.picture);
         request.field = &field;
+        take_shape(domain_around({}, &field), request);
         if (!request.count && !request.scale)
             request.count = stippling::dot_count(field, request.domain);
     }

@@ -67,11 +67,12 @@ void run(const CommandLine& line, const OrderCommand& options) {
 
     files::PointSet set{points, request.domain};
     columns.add_to(set);
-    Writing writing(interruption);
-    write_set(writing, drawing, outputs, set, style_of(drawing, request.domain),
-              [&] { return dots_of(request, points, stippling::Spread::even); });
-    sum_up({outputs, options.common.report, options.common.quiet},
-           fmt::format("{} points, in order", points.size()));
+    finish(interruption, options.common, drawing, outputs,
+           {.set = set,
+            .style = style_of(drawing, request.domain),
+            .find_diameters = [&] { return dots_of(request, points, stippling::Spread::even); },
+            .report = {},
+            .words = fmt::format("{} points, in order", points.size())});
 }
 
 // Where the value of each option goes.

@@ -102,18 +102,17 @@ void run(const CommandLine& line, const RelaxCommand& options) {
     columns.add_to(set);
     const drawing::Style style = style_of(drawing, request.domain);
     if (!common.quiet) warn_of_ink(drawing, request, request.field, set.points.size(), style);
-    Writing writing(interruption);
-    if (!common.report.empty())
-        writing.add(common.report, [&] {
-            return relax_report(json_of(options, request), made, json_of(relaxation));
-        });
-    write_set(writing, drawing, outputs, set, style,
-              [&] { return dots_of(request, set.points, stippling::Spread::even); });
     const std::string steps =
         options.moves.gaussian == 0 ? "" : fmt::format(", {} steps", options.moves.gaussian);
-    sum_up({outputs, common.report, common.quiet},
-           fmt::format("{} points, {} iterations{}, {:.3f} s, {}", set.points.size(),
-                       options.moves.iterations, steps, made.seconds, relaxation.relaxed.backend));
+    finish(interruption, common, drawing, outputs,
+           {.set = set,
+            .style = style,
+            .find_diameters = [&] { return dots_of(request, set.points, stippling::Spread::even); },
+            .report =
+                [&] { return relax_report(json_of(options, request), made, json_of(relaxation)); },
+            .words = fmt::format("{} points, {} iterations{}, {:.3f} s, {}", set.points.size(),
+                                 options.moves.iterations, steps, made.seconds,
+                                 relaxation.relaxed.backend)});
 }
 
 // Where the value of each option goes.

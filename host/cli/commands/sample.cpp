@@ -119,14 +119,14 @@ void run(const CommandLine& line, SampleCommand all) {
     const MadeSet set(request, made.result, origin, showing);
     const Field* const tone = showing.is_sized_by_radii ? nullptr : request.field;
     if (!options.quiet) warn_of_ink(all.drawing, request, tone, made.result.points.size(), style);
-    Writing writing(interruption);
-    if (!options.report.empty())
-        writing.add(options.report, [&] { return report_of(request, made, more); });
-    write_set(writing, all.drawing, outputs, set.points(), style, [&] {
-        return set.diameters(moves_points ? stippling::Spread::even : stippling::Spread::random);
-    });
-    sum_up(options, outputs, made, "point",
-           words_of(set.points().layers) + words_of_places(made_request));
+    const auto spread = moves_points ? stippling::Spread::even : stippling::Spread::random;
+    finish(interruption, options, all.drawing, outputs,
+           {.set = set.points(),
+            .style = style,
+            .find_diameters = [&] { return set.diameters(spread); },
+            .report = [&] { return report_of(request, made, more); },
+            .words = words_of(options, made, "point",
+                              words_of(set.points().layers) + words_of_places(made_request))});
 }
 
 void take_seeds(const std::string& text, std::optional<SeedRange>& seeds) {

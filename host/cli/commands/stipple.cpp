@@ -247,16 +247,18 @@ std::vector<Point> run_one(const CommandLine& line, const StippleCommand& all) {
     style.pixels_per_inch = all.pixels_per_inch;
     set.origin = &origin;
     set.writes_ellipses = all.ellipse_columns;
-    Writing writing(interruption);
-    if (!common.report.empty())
-        writing.add(common.report, [&] {
-            return report_of(
-                request, made,
-                report_of_the_rest(all, outputs, dots, drawing::resolution_of(set, style), asked));
-        });
-    write_set(writing, drawing, outputs, set, style, [&] { return dots.diameters; });
-    sum_up(common, outputs, made, "dot", note_on_count(options, dots),
-           plot_text(options, set, style, dots));
+    const auto report = [&] {
+        return report_of(
+            request, made,
+            report_of_the_rest(all, outputs, dots, drawing::resolution_of(set, style), asked));
+    };
+    finish(interruption, common, drawing, outputs,
+           {.set = set,
+            .style = style,
+            .find_diameters = [&] { return dots.diameters; },
+            .report = report,
+            .words = words_of(common, made, "dot", note_on_count(options, dots),
+                              plot_text(options, set, style, dots))});
     return dots.result.points;
 }
 

@@ -149,7 +149,7 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, ForAllS
     claim.options = options.domain;
     Request request = request_of(line, options, given, file, name, claim);
     options::take_borders(claim.options.borders, request);
-    take_masks(given.files, request);
+    take_masks(request.classes.names, given.files, request);
     static_cast<Claim&>(claim) = options::claim_of(request);
     claim.points = file.points;
     claim.name = name;
@@ -164,8 +164,8 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, ForAllS
     claim.places.edge = claim.options.edge;
     claim.places.border_by_radius = claim.options.inside_by_radius;
     if (const auto settled = places::settled(claim)) static_cast<Claim&>(claim) = *settled;
-    request.border = claim.border;
-    request.classes.borders = claim.classes.borders;
+    request.places.border = claim.places.border;
+    request.places.borders = claim.places.borders;
     given.files.edge = claim.places.edge.value_or(0);
     claim.given = json_of(options.domain, request, given.files);
     claim.tolerance = options.tolerance;

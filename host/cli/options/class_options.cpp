@@ -194,7 +194,6 @@ Json json_of(const Classes& classes) {
     if (has_counts(classes))
         for (const auto& own : classes.counts)
             json["counts"].push_back(own ? Json(*own) : Json(nullptr));
-    if (!classes.borders.empty()) json["borders"] = classes.borders;
     return json;
 }
 

@@ -33,11 +33,10 @@ Targets targets_of(Picture& picture) {
     return targets;
 }
 
-Field read_field(const Picture& picture, Request& request) {
+Field read_field(const Picture& picture) {
     pictures::Image image =
         pictures::read_image(picture.path, pictures::kLargestAspect,
                              {.backdrop = pictures::backdrop_of(picture.importance)});
-    request.domain = domain_like(image.columns, image.rows, request.domain.boundary);
     return pictures::importance_of(std::move(image), picture.importance);
 }
 
@@ -73,12 +72,9 @@ std::string words_of(std::span<const files::Layer> layers) {
     return text.empty() ? "" : text + ")";
 }
 
-void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, const Finished& made,
-            const std::string& what, const std::string& note, const std::string& more) {
+std::string words_of(const CommonOptions& options, const Finished& made, const std::string& what,
+                     const std::string& note, const std::string& more) {
     const Result& result = made.result;
-    // A set without points is said to be one, also on the screen.
-    const Written written{outputs, options.report, options.quiet};
-    if (options.quiet || (written.is_on_screen() && !result.points.empty())) return;
     // The radius or scale that was chosen for --count or for stipple's default number of dots.
     // After relaxing the radius may be 0, which means not known.
     std::string size;
@@ -98,9 +94,8 @@ void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, co
     std::string rounds;
     if (result.rounds > 0)
         rounds = fmt::format(", {} round{}", result.rounds, result.rounds == 1 ? "" : "s");
-    print_last(fmt::format("{} {}{}{}{}{}, {:.3f} s, {}{} -> {}", count, what,
-                           count == 1 ? "" : "s", note, size, rounds, made.seconds, result.backend,
-                           more, paths_of(outputs)));
+    return fmt::format("{} {}{}{}{}{}, {:.3f} s, {}{}", count, what, count == 1 ? "" : "s", note,
+                       size, rounds, made.seconds, result.backend, more);
 }
 
 }  // namespace lacuna::cli

@@ -41,9 +41,8 @@ struct Picture {
 // The targets of --metric and of the options that say how a picture is read.
 Targets targets_of(Picture& picture);
 
-// Reads the picture, and sets the request's domain to its shape with a longer side of 1. Throws
-// BadRequest and files::FileError.
-Field read_field(const Picture& picture, Request& request);
+// Reads the picture. Throws BadRequest and files::FileError.
+Field read_field(const Picture& picture);
 
 // The outputs, checked before the work starts; without --output it is standard output. No output
 // may be a file in `read`. Throws BadRequest and files::FileError.
@@ -74,13 +73,13 @@ auto watched(const CommonOptions& options, Finished& made, const Work& work) {
 // options::make throws.
 Finished make(const CommonOptions& options, options::Moves moves);
 
-// How many points there are of each class or ink, for the note of sum_up(): " (trees 20, grass
-// 41)". Empty without layers.
+// How many points there are of each class or ink, for the note of words_of(): " (trees 20,
+// grass 41)". Empty without layers.
 std::string words_of(std::span<const files::Layer> layers);
 
-// Prints a line about the set on standard error, unless --quiet is given or standard output is an
-// output. `what` is "point" or "dot"; `note` follows their number, and `more` the backend.
-void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, const Finished& made,
-            const std::string& what, const std::string& note = "", const std::string& more = "");
+// A line about the set. `what` is "point" or "dot"; `note` follows their number, and `more` the
+// backend.
+std::string words_of(const CommonOptions& options, const Finished& made, const std::string& what,
+                     const std::string& note = "", const std::string& more = "");
 
 }  // namespace lacuna::cli

@@ -34,11 +34,11 @@ const std::vector<std::string>& names_of_classes(const DomainOptions& options,
     return options.known_classes.empty() ? request.classes.names : options.known_classes;
 }
 
-// Reads the pictures of --mask, the first of which may give the domain its shape.
-void read_masks(const DomainOptions& options, const std::function<void(const Domain&)>& give_shape,
-                Request& request, DomainFiles& files) {
+// Returns the first mask that is given, which may decide the domain; null if there is none.
+const Mask* read_masks(const DomainOptions& options, Request& request, DomainFiles& files) {
+    const Mask* first = nullptr;
+    const std::vector<std::string>& names = names_of_classes(options, request);
     for (const std::string& text : options.mask) {
-        const std::vector<std::string>& names = names_of_classes(options, request);
         const auto& [own, path] = class_and_path(text, names);
         check_class_of_file("mask", text, path, names);
         const auto [read, is_new] = files.pictures.try_emplace(own);
@@ -47,9 +47,26 @@ void read_masks(const DomainOptions& options, const std::function<void(const Dom
                 "mask", shown(text),
                 own.empty() ? "a second mask for all points" : "a second mask of class " + own);
         read->second = read_mask(path);
-        give_shape(domain_like(read->second.columns, read->second.rows));
-        if (own.empty()) request.mask = &read->second;
+        if (first == nullptr) first = &read->second;
+        if (own.empty()) request.places.mask = &read->second;
     }
+    take_masks(names, files, request);
+    return first;
+}
+
+void read_all_outlines(const DomainOptions& options, Request& request) {
+    const std::vector<std::string>& names = names_of_classes(options, request);
+    for (const auto& [role, texts] : options.outlines)
+        for (const std::string& text : texts) {
+            const bool may_be_of_class = !has_distance(role);
+            const auto& [own, path] =
+                may_be_of_class ? class_and_path(text, names) : std::pair(std::string(), text);
+            if (may_be_of_class) check_class_of_file(std::string(name_of(role)), text, path, names);
+            for (Outline& one : read_outlines(role, path)) {
+                one.of_class = own;
+                request.places.outlines.push_back(std::move(one));
+            }
+        }
 }
 
 }  // namespace
@@ -79,45 +96,22 @@ Targets targets_of(DomainOptions& options) {
 void read_given_files(const CommandLine& line, const DomainOptions& options, Request& request,
                       DomainFiles& files) {
     request.classes = options::read_classes(options.classes, read_matrix);
-    bool has_shape = line.has("domain") || request.on_pixels;
-    const auto give_shape = [&](const Domain& shape) {
-        if (!has_shape) take_shape(shape, request);
-        has_shape = true;
-    };
     const std::vector<std::string>& classes = names_of_classes(options, request);
     refuse_class_of_file("field", options.field.path, classes, "a class has no field of its own");
     refuse_class_of_file("keep", options.keep, classes, "its column class has each point's class");
-    if (!options.field.path.empty()) {
-        Request shape;
-        files.field = read_field(options.field, shape);
-        give_shape(shape.domain);
-        request.field = &*files.field;
-    }
+    if (!options.field.path.empty()) files.field = read_field(options.field);
     if (options.ellipses.are_given()) {
         files.field = read_ellipses(options.ellipses);
-        if (!options.ellipses.path.empty())
-            give_shape(domain_like(files.field->columns, files.field->rows));
-        request.field = &*files.field;
         if (!request.scale && !request.count) request.scale = 1;
     }
-    std::vector<Outline>& outlines = request.places.outlines;
-    for (const auto& [role, texts] : options.outlines)
-        for (const std::string& text : texts) {
-            const bool may_be_of_class = !has_distance(role);
-            const std::vector<std::string>& names = names_of_classes(options, request);
-            const auto& [own, path] =
-                may_be_of_class ? class_and_path(text, names) : std::pair(std::string(), text);
-            if (may_be_of_class) check_class_of_file(std::string(name_of(role)), text, path, names);
-            std::vector<Outline> read = read_outlines(role, path);
-            for (const Outline& one : read)
-                if (one.polygons.page) give_shape(*one.polygons.page);
-            for (Outline& one : read) {
-                one.of_class = own;
-                outlines.push_back(std::move(one));
-            }
-        }
-    if (!has_shape && !outlines.empty()) give_shape(domain_around(request.places));
-    read_masks(options, give_shape, request, files);
+    if (files.field) request.field = &*files.field;
+    read_all_outlines(options, request);
+    const Mask* const mask = read_masks(options, request, files);
+    const bool is_same_everywhere = !options.ellipses.same.empty();
+    if (!line.has("domain") && !request.on_pixels)
+        take_shape(domain_around(mask != nullptr ? Places{.mask = mask} : request.places,
+                                 is_same_everywhere ? nullptr : request.field),
+                   request);
     take_size_of_classes(request);
     if (options.keep.empty()) return;
     if (request.classes.names.empty()) {
@@ -138,22 +132,21 @@ void read_domain_files(const CommandLine& line, const DomainOptions& options, Re
     request.places.edge = options.edge;
     request.places.border_by_radius = options.inside_by_radius;
     options::take_borders(options.borders, request);
-    take_masks(files, request);
     Resolved resolved = resolve(request);
     request = std::move(resolved.request);
     files.masks = resolved.masks;
     files.edge = resolved.edge;
 }
 
-void take_masks(const DomainFiles& files, Request& request) {
-    Classes& classes = request.classes;
-    classes.masks.clear();
+void take_masks(const std::vector<std::string>& names, const DomainFiles& files, Request& request) {
+    std::vector<const Mask*>& masks = request.places.masks;
+    masks.clear();
     for (const auto& [own, mask] : files.pictures) {
         if (own.empty()) continue;
-        const auto found = std::find(classes.names.begin(), classes.names.end(), own);
-        if (found == classes.names.end()) throw BadRequest("mask", own, "is no class of this set");
-        classes.masks.resize(classes.names.size());
-        classes.masks[static_cast<std::size_t>(found - classes.names.begin())] = &mask;
+        const auto found = std::find(names.begin(), names.end(), own);
+        if (found == names.end()) throw BadRequest("mask", own, "is no class of this set");
+        masks.resize(names.size());
+        masks[static_cast<std::size_t>(found - names.begin())] = &mask;
     }
 }
 
@@ -215,7 +208,8 @@ Json json_of(const DomainOptions& options, const Request& request, const DomainF
     for (const auto& [role, texts] : options.outlines) add_paths(name_of(role), texts);
     if (files.edge != 0) json["edge"] = files.edge;
     json.update(json_of(request.classes));
-    if (request.border != 0) json["border"] = request.border;
+    if (!request.places.borders.empty()) json["borders"] = request.places.borders;
+    if (request.places.border != 0) json["border"] = request.places.border;
     if (options.inside_by_radius) json["inside_by_radius"] = true;
     if (options.keep.empty()) return json;
     const SortedKept kept = sorted_kept(request);

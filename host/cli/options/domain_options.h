@@ -117,14 +117,14 @@ Targets targets_of(DomainOptions& options);
 // Gives the request this domain, but leaves its boundary.
 void take_shape(const Domain& shape, Request& request);
 
-// Reads the files, and gives `request` its places and what else they hold. Without --domain, the
-// first of these that is given decides the domain: the field's picture (longer side 1), the page of
-// the polygons, the mask (longer side 1). Throws BadRequest and files::FileError.
+// Reads the files, and gives `request` its places and what else they hold; without --domain its
+// domain, too. Throws BadRequest and files::FileError.
 void read_given_files(const CommandLine& line, const DomainOptions& options, Request& request,
                       DomainFiles& files);
 
-// Gives the request's classes their own pictures of --mask. Throws BadRequest.
-void take_masks(const DomainFiles& files, Request& request);
+// Gives the request the pictures of --mask that classes of these names have of their own. Throws
+// BadRequest.
+void take_masks(const std::vector<std::string>& names, const DomainFiles& files, Request& request);
 
 // Does what read_given_files() does, and resolves the request's places.
 void read_domain_files(const CommandLine& line, const DomainOptions& options, Request& request,

@@ -195,4 +195,16 @@ void write_set(Writing& writing, const DrawingOptions& options, const std::vecto
     writing.write();
 }
 
+void finish(Interruption& interruption, const CommonOptions& options, const DrawingOptions& drawing,
+            const std::vector<Output>& outputs, const Ready& ready) {
+    Writing writing(interruption);
+    if (!options.report.empty()) writing.add(options.report, ready.report);
+    write_set(writing, drawing, outputs, ready.set, ready.style, ready.find_diameters);
+    const Written written{outputs, options.report, options.quiet};
+    if (written.is_on_screen() && ready.set.points.empty() && !options.quiet)
+        print_last(ready.words + " -> " + paths_of(outputs));
+    else
+        sum_up(written, ready.words);
+}
+
 }  // namespace lacuna::cli

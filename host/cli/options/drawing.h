@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/options/bind.h"
+#include "cli/options/common_options.h"
 #include "cli/reports/output.h"
 #include "drawing/picture.h"
 #include "files/point_files.h"
@@ -65,5 +66,20 @@ using FindDiameters = std::function<std::vector<double>()>;
 // find_diameters() is called if an output needs diameters and --dot-size does not give them.
 void write_set(Writing& writing, const DrawingOptions& options, const std::vector<Output>& outputs,
                files::PointSet set, drawing::Style style, const FindDiameters& find_diameters);
+
+// A set that a command has made.
+struct Ready {
+    const files::PointSet& set;
+    const drawing::Style& style;
+    FindDiameters find_diameters;
+    std::function<std::string()> report;  // the content of --report, if it is given
+    std::string words;                    // about the set, for the last line
+};
+
+// The end of every command that makes points: writes the report and the set, and says on standard
+// error what was made, unless points or report went to the screen. A set without points is said to
+// be one there, too.
+void finish(Interruption& interruption, const CommonOptions& options, const DrawingOptions& drawing,
+            const std::vector<Output>& outputs, const Ready& ready);
 
 }  // namespace lacuna::cli

@@ -59,9 +59,8 @@ SetAndField read_given_set(const CommandLine& line, const GivenSet& set, Request
     SetAndField read{files::read_points(set.points), {}};
     const files::PointsOfFile& file = read.file;
     if (!set.picture.path.empty()) {
-        Request shape{.domain = request.domain};
-        read.field = read_field(set.picture, shape);
-        if (!has_domain) request.domain = shape.domain;
+        read.field = read_field(set.picture);
+        if (!has_domain) take_shape(domain_around({}, &*read.field), request);
     }
     if (!has_domain && file.domain) take_shape(*file.domain, request);
     if (file.boundary == Boundary::torus) request.domain.boundary = Boundary::torus;

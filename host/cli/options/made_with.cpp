@@ -90,13 +90,10 @@ std::shared_ptr<const Field> use_values(const CommandLine& line, const files::Or
         if (scale > 0) request.scale = scale;
     }
     Classes& classes = request.classes;
-    if (classes.names.empty()) {
-        classes = origin.classes;
-        classes.borders = {};
-    }
+    if (classes.names.empty()) classes = origin.classes;
     if (!line.has("border") && !line.has("inside-by-radius")) {
-        request.border = number_of(origin, "border").value_or(0);
-        if (classes.names == origin.classes.names) classes.borders = origin.classes.borders;
+        request.places.border = number_of(origin, "border").value_or(0);
+        if (classes.names == origin.classes.names) request.places.borders = origin.borders;
         options.inside_by_radius = origin.values.contains("inside_by_radius");
     }
     if (!options.edge) options.edge = number_of(origin, "edge");

@@ -51,11 +51,12 @@ std::size_t all_points(const SetClaim& claim) {
 
 // The border of each class, or that of all; empty if there is none.
 std::string borders(const SetClaim& claim) {
-    const Classes& classes = claim.classes;
-    if (classes.borders.empty()) return claim.border == 0 ? "" : fmt::format("{}", claim.border);
+    const std::vector<double>& own = claim.places.borders;
+    const double border = claim.places.border;
+    if (own.empty()) return border == 0 ? "" : fmt::format("{}", border);
     std::string text;
-    for (std::size_t i = 0; i < classes.borders.size(); ++i)
-        text += fmt::format("{}{} of {}", i == 0 ? "" : ", ", classes.borders[i], classes.names[i]);
+    for (std::size_t i = 0; i < own.size(); ++i)
+        text += fmt::format("{}{} of {}", i == 0 ? "" : ", ", own[i], claim.classes.names[i]);
     return text;
 }
 
@@ -141,9 +142,9 @@ std::string reason(const SetClaim& claim) {
             break;
     }
     return fmt::format("nearer than {} to an edge of the domain",
-                       claim.classes.borders.empty()
-                           ? claim.border
-                           : claim.classes.borders[claim.own_classes[*claim.proof.forbidden]]);
+                       claim.places.borders.empty()
+                           ? claim.places.border
+                           : claim.places.borders[claim.own_classes[*claim.proof.forbidden]]);
 }
 
 // Why the proof ended before distances and gaps were looked at. Empty if it did not.
@@ -178,8 +179,8 @@ std::string kind(const SetClaim& claim) {
     if (!claim.classes.names.empty())
         kind = fmt::format(" of {} classes{}", claim.classes.names.size(),
                            has_counts(claim.classes) ? " with their numbers of points" : "");
-    if (claim.mask != nullptr || !claim.classes.masks.empty() || !claim.places.outlines.empty() ||
-        !borders(claim).empty())
+    if (claim.places.mask != nullptr || !claim.places.masks.empty() ||
+        !claim.places.outlines.empty() || !borders(claim).empty())
         kind += " where points may lie";
     return kind;
 }

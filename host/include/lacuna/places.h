@@ -1,5 +1,5 @@
-// Where points may lie, as people say it: polygons, obstacles, and what points are near. Link
-// lacuna; lacuna/domains.h reads these from files.
+// Where points may lie, as people say it: polygons, obstacles, what points are near, masks and
+// borders. Link lacuna; lacuna/domains.h reads these from files.
 //
 //     lacuna::Request request{.radius = 0.01};
 //     request.places.outlines = {{.polygons = {{park, pond}}},  // a ring in a ring is a hole
@@ -77,22 +77,36 @@ struct Outline {
 
 struct Places {
     std::vector<Outline> outlines{};
-    // Objects lie inside with all of their extent: the border of points is half of the distance
-    // that two of them keep, or two of their class. In boxes, for disks of one radius, or one for
-    // each class, which must be given. Points then stay by their border from obstacles, too, beyond
-    // the distance of these.
+    // In place of outlines: points lie on pixels of the mask that are not 0. It must outlive the
+    // call.
+    const Mask* mask = nullptr;
+    // Least distance of points to each edge of the domain, in its unit; in a box only, and under
+    // half of its shorter side. 0: points lie up to the edges. Outlines whose distance is not given
+    // keep it, too.
+    double border = 0;
+    // In place of a border: objects lie inside with all of their extent: the border of points is
+    // half of the distance that two of them keep, or two of their class. In boxes, for disks of one
+    // radius, or one for each class, which must be given. Points then stay by their border from
+    // obstacles, too, beyond the distance of these.
     bool border_by_radius = false;
     // How far inside of an outline points may begin, > 0: it is drawn onto pixels of this diagonal.
     // Default: a sixteenth of the least radius, which is estimated for a count.
     std::optional<double> edge{};
+    // The border and the mask of each class of points, in place of those above. Empty: those are
+    // for all. A mask may be null: then it is the one above. All must outlive the call.
+    std::vector<double> borders{};
+    std::vector<const Mask*> masks{};
 };
 
-// The domain of places for which none is given: their first page; else 1 x 1, or from (0, 0) to the
-// farthest corner of rings that reach beyond it. If they lie far from (0, 0), or beyond it, the box
-// around them where it lies, or a larger square if the box is so small that doubles are too coarse
-// for it there. Throws BadRequest for a box without an area, and for coordinates and distances that
-// are not finite.
-Domain domain_around(const Places& places);
+struct Field;  // lacuna/sample.h
+
+// The domain of places for which none is given. A field or, without one, a mask gives it the shape
+// of its pixels, with a longer side of 1. Else it is the first page of the outlines; else 1 x 1, or
+// from (0, 0) to the farthest corner of rings that reach beyond it. If they lie far from (0, 0), or
+// beyond it, the box around them where it lies, or a larger square if the box is so small that
+// doubles are too coarse for it there. Throws BadRequest for a box without an area, and for
+// coordinates and distances that are not finite.
+Domain domain_around(const Places& places, const Field* field = nullptr);
 
 // The rings of `polygons` for this domain. A page is stretched over it, its lower left corner on
 // the domain's; without a page the coordinates do not change.

@@ -94,10 +94,6 @@ struct Classes {
     // two classes or more, without Request::count, limit and progressive. sample() throws
     // BadRequest if fewer points find room.
     std::vector<std::optional<std::uint64_t>> counts{};
-    // The border and the mask of each class, in place of Request::border and mask. Empty: those are
-    // for all. A mask may be null: then it is Request::mask. All masks must outlive the call.
-    std::vector<double> borders{};
-    std::vector<const Mask*> masks{};
 };
 
 // The distances of round objects of these radii that do not overlap: the sum of two radii. Two
@@ -168,15 +164,9 @@ struct Request {
     std::optional<double> scale{};
     Metric metric = Metric::min;
 
-    // The next four work in mode exact only, places and mask also in mode pixels. Together they say
-    // where samples may lie, and the set is maximal there, to within the edge of the places.
+    // In mode exact, and without a border in mode pixels: where samples may lie. The set is maximal
+    // there, to within the edge of the outlines.
     Places places{};
-    // In place of outlines: samples lie on pixels of the mask that are not 0. It must outlive the
-    // call.
-    const Mask* mask = nullptr;
-    // Least distance of samples to each edge of the domain, in its unit; in a box only, and under
-    // half of its shorter side. 0: samples lie up to the edges.
-    double border = 0;
     // In mode exact: classes of points. No two points are closer than the distance of their
     // classes, and no spot is left where a point of any class has room. With a radius, scale or
     // count the distances are in proportion: the least that is not 0 becomes the radius or scale.
@@ -239,7 +229,7 @@ struct Result {
 
 // A request whose outlines are drawn onto masks, and whose borders by radius are numbers.
 struct Resolved {
-    Request request = Request();  // its places are empty; it points into the masks
+    Request request = Request();  // without outlines; it points into the masks
     double edge = 0;              // of the outlines; 0: there are none
     std::shared_ptr<const std::vector<Mask>> masks{};
 };

@@ -27,7 +27,7 @@
 //     of the longer side of such a border counts as lying on both pixels. Its distances are checked
 //     with the smaller radius, and the spots that it covers with the larger one. With ellipses it
 //     is too close to another point if it is with both ellipses, and covers a spot if it does with
-//     either. It is allowed if either pixel allows points. A point may cross Claim::border or
+//     either. It is allowed if either pixel allows points. A point may cross Places::border or
 //     polygons by as much.
 //   - With classes the limit of two points, or of a point and a spot for one more point of a class,
 //     is multiplied by the distance of their two classes, as a share of the least one.
@@ -74,11 +74,8 @@ struct Claim {
     double scale = 0;  // > 0; with classes it may be 0
 
     // Where points may lie, as in Request. Spots nearer to outlines than Places::edge need no
-    // point; it may be 0. The mask must outlive the call, and must not be one that draw_places()
-    // has drawn.
+    // point; it may be 0. A mask must not be one that draw_places() has drawn.
     Places places{};
-    const Mask* mask = nullptr;
-    double border = 0;
 
     // Classes of points, as in Request. No two points may be closer than the distance of their
     // classes, and no spot may be left where a point of any class with a weight, and without a

@@ -11,6 +11,7 @@
 
 #include "backends/field_snapshot.h"
 #include "backends/radius_field_requests.h"
+#include "checks/classes.h"
 #include "plan/first_boxes.h"
 #include "plan/make_plan.h"
 #include "plan/radius_field.h"
@@ -78,9 +79,7 @@ std::size_t entries_after(const FieldRequest& made, std::size_t draws, std::size
 TEST(NeighbourLists, KnowWhatCoversACandidateHoweverMuchDistancesDiffer) {
     for (const FieldRequest& made : tests::class_requests()) {
         // Positions outside of a border or a mask have no block.
-        const Classes& classes = made.request.classes;
-        if (made.keep || made.request.border > 0 || !classes.borders.empty() ||
-            !classes.masks.empty())
+        if (made.keep || made.request.places.border > 0 || has_own_places(made.request.places))
             continue;
         std::size_t samples = 0;
         entries_after(made, 1500, samples);

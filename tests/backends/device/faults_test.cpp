@@ -164,7 +164,7 @@ Plan radius_field_plan(Boundary boundary, double part) {
     request.domain.boundary = boundary;
     request.field = &field;
     request.scale = 0.025;
-    request.mask = &mask;
+    request.places.mask = &mask;
     request.keep = keep;
     request.paper2011.round_size = 128;
     request.paper2011.lines_per_radius = 2;  // boxes are long, and many samples reach some of them

@@ -188,7 +188,7 @@ TEST_P(ValidatedCalls, MakesSetsWithARadiusFieldWithoutAMessage) {
     const std::vector<Point> keep = {{0.1, 0.1}};
     Request request;
     request.scale = 0.03;
-    request.mask = &mask;
+    request.places.mask = &mask;
     request.keep = keep;
     vulkan::Trial trial;
     trial.validation = &validation_;
