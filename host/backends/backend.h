@@ -50,9 +50,10 @@ struct Snapshot {
 // column of boxes, which end where rows of the sample grid do. So draws can be made there for
 // samples of other ranks. If a round calls locate several times, the last call counts. Throws
 // DeviceError, and Cancelled when the watch returns false.
-class Backend {
+template <typename Placed>
+class BackendOf {
 public:
-    virtual ~Backend() = default;
+    virtual ~BackendOf() = default;
 
     virtual std::string device() const = 0;
     virtual Work work() const { return {}; }
@@ -64,10 +65,7 @@ public:
     virtual void admit() = 0;
     virtual void subtract() = 0;
     virtual void refine(bool halve) = 0;
-    virtual Round finish_round() = 0;
-
-    // The candidates of the last locate, in no particular order.
-    virtual std::vector<Candidate> located() = 0;
+    virtual RoundOf<Placed> finish_round() = 0;
 
     // The host's threads, which the loop also uses to invert the cdf.
     virtual Workers& workers() = 0;
@@ -77,6 +75,12 @@ public:
 
     // Long verbs ask may_go_on now and then, in the calling thread; false cancels the run.
     virtual void watch(std::function<bool()> may_go_on) = 0;
+};
+
+class Backend : public BackendOf<Sample> {
+public:
+    // The candidates of the last locate, in no particular order.
+    virtual std::vector<Candidate> located() = 0;
 
     // For tests of single verbs; ranks, too, take snapshots. snapshot waits for the queued work.
     virtual Snapshot snapshot() = 0;

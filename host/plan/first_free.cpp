@@ -6,6 +6,7 @@
 
 #include "plan/first_boxes.h"
 #include "portable/bits.h"
+#include "space/first_bins.h"
 
 namespace lacuna {
 namespace {
@@ -50,6 +51,16 @@ std::vector<std::uint32_t> first_free_lengths(const Plan& plan) {
 }
 
 FirstFree::FirstFree(const Plan& plan) {
+    if (plan.is_space()) {
+        const space::FirstBins& all = *plan.space().first_bins;
+        for (std::uint32_t block = 0; block < all.blocks(); ++block)
+            for (std::uint32_t i = all.begins[block]; i < all.begins[block + 1]; ++i) {
+                const auto [length, width] = space::size_of(all.weight_of(all.bins[i], block));
+                lengths.push_back(length);
+                widths.push_back(width);
+            }
+        return;
+    }
     if (!plan.has_radius_field()) {
         lengths = first_free_lengths(plan);
         return;

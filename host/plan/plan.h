@@ -33,6 +33,9 @@ struct Span {
 
 class RadiusField;
 struct FirstBoxes;
+namespace space {
+struct FirstBins;
+}
 
 // The sample grid, with which samples near a position are found. Its cells are floor(r / sqrt 2)
 // units wide, so that two samples never share a cell. The last cells may extend beyond the domain.
@@ -69,6 +72,12 @@ struct FieldPlan {
 struct CellsPlan {
     std::shared_ptr<const RadiusMap> radii;  // the radius of every pixel
     Metric metric = Metric::min;             // the distance for two radii
+};
+
+// Surfaces and volumes. Of the numbers below only the radius, those of draws and samples, and
+// unit_x, the unit along all axes, have a meaning.
+struct SpacePlan {
+    std::shared_ptr<const space::FirstBins> first_bins;
 };
 
 // Everything that decides where samples go. Equal plans give equal samples on every backend.
@@ -109,13 +118,18 @@ struct Plan {
     std::uint64_t maximal_samples = 0;   // expected number in a maximal set
     std::uint64_t expected_samples = 0;  // the same, or the limit if it is less
 
-    std::variant<LinesPlan, ExactPlan, FieldPlan, CellsPlan> of_mode;
+    std::variant<LinesPlan, ExactPlan, FieldPlan, CellsPlan, SpacePlan> of_mode;
 
-    bool is_exact() const { return has_grid() || has_radius_field(); }
+    bool is_exact() const { return has_grid() || begins_with_boxes(); }
+    // Whether rounds draw from boxes, or from parts of a surface or a volume, from the first one
+    // on.
+    bool begins_with_boxes() const { return has_radius_field() || is_space(); }
+    bool is_space() const { return std::holds_alternative<SpacePlan>(of_mode); }
     bool is_cells() const { return std::holds_alternative<CellsPlan>(of_mode); }
     bool has_radius_field() const { return std::holds_alternative<FieldPlan>(of_mode); }
     bool has_grid() const { return std::holds_alternative<ExactPlan>(of_mode); }
     const FieldPlan& field() const { return std::get<FieldPlan>(of_mode); }
+    const SpacePlan& space() const { return std::get<SpacePlan>(of_mode); }
     const CellsPlan& cells() const { return std::get<CellsPlan>(of_mode); }
     // In modes without them: a grid of no cells, a halo of no lines, false.
     GridShape grid() const { return has_grid() ? std::get<ExactPlan>(of_mode).grid : GridShape{}; }

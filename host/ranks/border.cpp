@@ -87,7 +87,7 @@ Span Border::unseen() const {
 
 // Locates the draws near_, and adds the candidates that no earlier sample covers to the rivals.
 template <typename IsCovered>
-void Border::take(Backend& backend, const Marginal& marginal, IsCovered is_covered) {
+void Border::take(TimedBackend<Backend>& backend, const Marginal& marginal, IsCovered is_covered) {
     rivals_.clear();
     near_numbers_.clear();
     for (std::uint32_t i = 0; i < near_.size(); ++i) {
@@ -103,7 +103,8 @@ void Border::take(Backend& backend, const Marginal& marginal, IsCovered is_cover
                 {candidate.x, candidate.y, near_numbers_[candidate.order], true, STATUS_UNDECIDED});
 }
 
-void Border::look(Backend& backend, const Marginal& marginal, std::span<const Draw> own) {
+void Border::look(TimedBackend<Backend>& backend, const Marginal& marginal,
+                  std::span<const Draw> own) {
     const std::size_t columns = first_lines_.size() - 1;
     const auto first_from = [&](std::size_t column) {
         const std::size_t bin = std::max<std::size_t>(bin_begins_[column], low_bins());
@@ -119,7 +120,8 @@ void Border::look(Backend& backend, const Marginal& marginal, std::span<const Dr
     });
 }
 
-void Border::look_at_all(Backend& backend, const Marginal& marginal, std::span<const Draw> own) {
+void Border::look_at_all(TimedBackend<Backend>& backend, const Marginal& marginal,
+                         std::span<const Draw> own) {
     BorderGrid all(strip_.plan, {0, strip_.plan.width});
     std::vector<Sample> samples = backend.snapshot().grid;
     std::erase_if(samples, [](Sample sample) { return sample.x == NO_SAMPLE; });
@@ -217,7 +219,8 @@ void Border::exchange_statuses() {
 
 // ------------------------------------------------------------------------------------- the round
 
-std::span<const Draw> Border::draws_with_guests(Backend& backend, const Marginal& marginal,
+std::span<const Draw> Border::draws_with_guests(TimedBackend<Backend>& backend,
+                                                const Marginal& marginal,
                                                 std::span<const Draw> own) {
     messages_ = 0;
     look(backend, marginal, own);

@@ -13,6 +13,7 @@
 #include "ranks/rivals.h"
 #include "ranks/strip.h"
 #include "rounds/marginal.h"
+#include "sampling/timed_verbs.h"
 
 namespace lacuna {
 
@@ -32,8 +33,8 @@ public:
 
     // Returns the round's draws for the backend: the guests, then `own`, the marginal's last draws,
     // with bins shifted by the halo. Valid until the next call.
-    std::span<const Draw> draws_with_guests(Backend& backend, const Marginal& marginal,
-                                            std::span<const Draw> own);
+    std::span<const Draw> draws_with_guests(TimedBackend<Backend>& backend,
+                                            const Marginal& marginal, std::span<const Draw> own);
     // The number of guests. Guests have the first orders of the draws.
     std::uint32_t guests() const { return guests_; }
 
@@ -72,10 +73,11 @@ private:
     Span unseen() const;
     Draw draw_of(const Rival& guest) const;
 
-    void look(Backend& backend, const Marginal& marginal, std::span<const Draw> own);
-    void look_at_all(Backend& backend, const Marginal& marginal, std::span<const Draw> own);
+    void look(TimedBackend<Backend>& backend, const Marginal& marginal, std::span<const Draw> own);
+    void look_at_all(TimedBackend<Backend>& backend, const Marginal& marginal,
+                     std::span<const Draw> own);
     template <typename IsCovered>
-    void take(Backend& backend, const Marginal& marginal, IsCovered is_covered);
+    void take(TimedBackend<Backend>& backend, const Marginal& marginal, IsCovered is_covered);
     bool find_rivals(Span unseen);
     std::vector<std::byte> pack(std::span<const std::uint32_t> candidates, bool is_low) const;
     void add_received(std::vector<std::uint32_t>& indices, std::span<const std::byte> bytes,

@@ -71,8 +71,8 @@ public:
           all_free_(first_free_lengths(strip.plan)) {
         // While ranks wait for each other, no rank may keep a device that they share: each verb is
         // complete when it returns.
-        backend_.time_verbs();
-        backend_.watch([this] {
+        backend.time_verbs();
+        backend.watch([this] {
             look_out();
             return true;
         });
@@ -137,7 +137,7 @@ private:
     Ranks& ranks_;
     Sink& sink_;
     Observer& observer_;
-    TimedBackend backend_;
+    TimedBackend<Backend> backend_;
     Marginal marginal_;
     RoundPolicy policy_;
     Border border_;

@@ -113,6 +113,14 @@ public:
         draw.offset = static_cast<std::uint32_t>(rank % widths_[bin]);
     }
 
+    // In space the draw has random bits in place of a rank and an offset, because a weight is no
+    // number of positions.
+    void invert_in_space(Draw& draw, std::uint64_t for_position) {
+        invert_areas(draw);
+        draw.rank = static_cast<std::uint32_t>(for_position >> 32U);
+        draw.offset = static_cast<std::uint32_t>(for_position);
+    }
+
     void invert_uniform_x(Draw& draw, std::uint64_t for_rank) {
         const std::uint64_t c = weight_of(draw);
         seek(c);
@@ -275,6 +283,8 @@ void Marginal::invert_part(std::uint64_t first_number, std::span<Draw> part) con
     for (Draw& draw : sorted) {
         if (plan_.is_uniform_x())
             walk.invert_uniform_x(draw, random_bits(plan_.seed, first_number + draw.order).second);
+        else if (plan_.is_space())
+            walk.invert_in_space(draw, random_bits(plan_.seed, first_number + draw.order).second);
         else if (!widths_.empty())
             walk.invert_areas(draw);
         else

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "plan/plan.h"
@@ -20,10 +21,12 @@ public:
     bool is_met() const { return left_ == 0; }
 
     // The first samples of a round, up to the one that meets the quota; all if none does.
-    std::span<const Sample> wanted(std::span<const Sample> samples) {
+    template <typename Placed>
+    std::span<const Placed> wanted(std::span<const Placed> samples) {
         auto count = static_cast<std::size_t>(std::min<std::uint64_t>(samples.size(), left_));
-        for (std::size_t i = 0; !left_of_classes_.empty() && i < count; ++i)
-            if (--left_of_classes_[plan_.class_of(samples[i])] == 0) left_ = count = i + 1;
+        if constexpr (std::is_same_v<Placed, Sample>)  // in space there are no classes
+            for (std::size_t i = 0; !left_of_classes_.empty() && i < count; ++i)
+                if (--left_of_classes_[plan_.class_of(samples[i])] == 0) left_ = count = i + 1;
         left_ -= count;
         return samples.first(count);
     }

@@ -32,9 +32,11 @@ struct Candidate {
     friend bool operator==(const Candidate&, const Candidate&) = default;
 };
 
-// The result of a round. Valid until the backend's next call.
-struct Round {
-    std::span<const Sample> samples;                 // admitted, in the order of their draws
+// The result of a round. Valid until the backend's next call. `Placed` is a sample: of the plane,
+// or in space (space/portion.h).
+template <typename Placed>
+struct RoundOf {
+    std::span<const Placed> samples;                 // admitted, in the order of their draws
     std::uint64_t survivors;                         // draws not covered in earlier rounds
     std::span<const std::uint32_t> free_lengths;     // of every bin, after the round
     std::uint32_t bin_width;                         // of all bins, where bin_widths is empty
@@ -45,19 +47,24 @@ struct Round {
     // With classes: the number of bins up to the end of each copy (plan/class_copies.h).
     std::span<const std::uint32_t> copy_ends = {};
 };
+using Round = RoundOf<Sample>;
 
 // A function that takes the samples of a round, in order of admission.
-using TakeSamples = std::function<void(std::span<const Sample>)>;
+template <typename Placed>
+using TakeSamplesOf = std::function<void(std::span<const Placed>)>;
+using TakeSamples = TakeSamplesOf<Sample>;
 
 // The result of all rounds of a plan.
-struct Outcome {
+template <typename Placed>
+struct OutcomeOf {
     std::uint64_t count = 0;      // of samples
     bool is_cut = false;          // there may be room: the run ended at a limit
-    std::vector<Sample> samples;  // in order of admission; none where TakeSamples took them
+    std::vector<Placed> samples;  // in order of admission; none where TakeSamplesOf took them
     std::uint64_t rounds = 0;
     std::uint64_t draws = 0;
     Work work{};
     std::vector<std::uint64_t> numbers;  // of each sample's draw; the reference alone fills them in
 };
+using Outcome = OutcomeOf<Sample>;
 
 }  // namespace lacuna

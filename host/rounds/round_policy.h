@@ -26,9 +26,9 @@ std::uint64_t largest_round_size(const Plan& plan);
 
 class RoundPolicy {
 public:
-    // With a radius field the first round has boxes already.
+    // With a radius field, and in space, the first round has boxes already.
     explicit RoundPolicy(const Plan& plan)
-        : plan_(plan), size_(first_round_size(plan)), refines_(plan.has_radius_field()) {}
+        : plan_(plan), size_(first_round_size(plan)), refines_(plan.begins_with_boxes()) {}
 
     // Number of draws of the next round.
     std::uint64_t size() const { return size_; }
@@ -44,6 +44,7 @@ public:
 
 private:
     void judge_bins(std::uint64_t survivors, std::uint32_t width);
+    void note_in_space(std::uint64_t survivors, std::uint64_t admitted, std::uint64_t bins);
 
     const Plan& plan_;
     std::uint64_t size_;

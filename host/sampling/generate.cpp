@@ -17,11 +17,14 @@
 #include "rounds/quota.h"
 #include "rounds/round_policy.h"
 #include "sampling/timed_verbs.h"
+#include "space/portion.h"
 
 namespace lacuna {
 
-Outcome generate(const Plan& plan, Backend& untimed, Observer& observer, const TakeSamples& take) {
-    Outcome outcome;
+template <typename Placed>
+OutcomeOf<Placed> generate(const Plan& plan, BackendOf<Placed>& untimed, Observer& observer,
+                           const TakeSamplesOf<Placed>& take) {
+    OutcomeOf<Placed> outcome;
     const auto may_go_on = [&] {
         const std::uint64_t points = outcome.count;
         const std::uint64_t expected = std::max(points, plan.expected_samples);
@@ -31,10 +34,10 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer, const T
         if (!may_go_on()) throw Cancelled();
     };
     TimedBackend backend(untimed, observer);
-    TimedMarginal marginal(plan, backend, poll, observer);
+    TimedMarginal marginal(plan, untimed, poll, observer);
     RoundPolicy policy(plan);
     Quota quota(plan);
-    backend.watch(may_go_on);
+    untimed.watch(may_go_on);
     const FirstFree all_free(plan);
     marginal.rebuild(all_free.lengths, plan.strip_width, all_free.widths, all_free.copy_ends);
 
@@ -47,9 +50,9 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer, const T
             backend.refine(policy.halves());
         else
             backend.subtract();
-        const Round round = backend.finish_round();
+        const RoundOf<Placed> round = backend.finish_round();
 
-        const std::span<const Sample> wanted = quota.wanted(round.samples);
+        const std::span<const Placed> wanted = quota.wanted(round.samples);
         take(wanted);
         outcome.count += wanted.size();
         outcome.draws += draws.size();
@@ -63,14 +66,21 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer, const T
     outcome.work = untimed.work();
     return outcome;
 }
+template Outcome generate(const Plan&, BackendOf<Sample>&, Observer&, const TakeSamples&);
+#ifndef LACUNA_CPU_ONLY
+using space::SpaceSample;
+template OutcomeOf<SpaceSample> generate(const Plan&, BackendOf<SpaceSample>&, Observer&,
+                                         const TakeSamplesOf<SpaceSample>&);
+#endif
 
 Outcome generate(const Plan& plan, Backend& backend, Observer& observer) {
     std::vector<Sample> all;
     all.reserve(plan.expected_samples);
     ask_for_large_pages(all.data(), all.capacity());
-    Outcome outcome = generate(plan, backend, observer, [&](std::span<const Sample> samples) {
+    const TakeSamples keep = [&](std::span<const Sample> samples) {
         all.insert(all.end(), samples.begin(), samples.end());
-    });
+    };
+    Outcome outcome = generate<Sample>(plan, backend, observer, keep);
     outcome.samples = std::move(all);
     return outcome;
 }
@@ -122,8 +132,9 @@ Run run_on_backend(const Request& request, const Plan& plan, Observer& observer)
 
 Run run_on_backend(const Request& request, const Plan& plan, Observer& observer,
                    const TakeSamples& take) {
-    Run run = run_with(request, plan, observer,
-                       [&](Backend& backend) { return generate(plan, backend, observer, take); });
+    Run run = run_with(request, plan, observer, [&](Backend& backend) {
+        return generate<Sample>(plan, backend, observer, take);
+    });
     if (!run.outcome.samples.empty()) take(std::exchange(run.outcome.samples, {}));
     return run;
 }

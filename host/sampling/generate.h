@@ -36,6 +36,8 @@ void cut_points(std::size_t count, Result& result);
 
 // Makes a maximal set, or its first plan.limit samples. Throws Cancelled, DeviceError.
 Outcome generate(const Plan& plan, Backend& backend, Observer& observer);
-Outcome generate(const Plan& plan, Backend& backend, Observer& observer, const TakeSamples& take);
+template <typename Placed>
+OutcomeOf<Placed> generate(const Plan& plan, BackendOf<Placed>& backend, Observer& observer,
+                           const TakeSamplesOf<Placed>& take);
 
 }  // namespace lacuna

@@ -40,56 +40,48 @@ private:
     int exceptions_;  // uncaught when the verb began
 };
 
-class TimedBackend : public Backend {
+template <typename AnyBackend>
+class TimedBackend {
 public:
-    TimedBackend(Backend& backend, Observer& observer) : backend_(backend), observer_(observer) {
+    TimedBackend(AnyBackend& backend, Observer& observer) : backend_(backend), observer_(observer) {
         if (observer_.times_verbs()) backend_.time_verbs();
     }
 
-    std::span<Draw> room_for_draws(std::size_t count) override {
-        return backend_.room_for_draws(count);
-    }
-    void locate(std::span<const Draw> draws) override {
+    void locate(std::span<const Draw> draws) {
         const Timed timed(observer_, Verb::locate);
         backend_.locate(draws);
     }
-    void admit() override {
+    void admit() {
         const Timed timed(observer_, Verb::admit);
         backend_.admit();
     }
-    void subtract() override {
+    void subtract() {
         const Timed timed(observer_, Verb::subtract);
         backend_.subtract();
     }
-    void refine(bool halve) override {
+    void refine(bool halve) {
         const Timed timed(observer_, Verb::refine);
         backend_.refine(halve);
     }
-    Round finish_round() override {
+    auto finish_round() {
         const Timed timed(observer_, Verb::transfer);
         return backend_.finish_round();
     }
-    std::vector<Candidate> located() override {
+    auto located() {
         const Timed timed(observer_, Verb::transfer);
         return backend_.located();
     }
-
-    std::string device() const override { return backend_.device(); }
-    Work work() const override { return backend_.work(); }
-    Workers& workers() override { return backend_.workers(); }
-    void time_verbs() override { backend_.time_verbs(); }
-    void watch(std::function<bool()> may_go_on) override { backend_.watch(std::move(may_go_on)); }
-    Snapshot snapshot() override { return backend_.snapshot(); }
-    void restore(const Snapshot& snapshot) override { backend_.restore(snapshot); }
+    auto snapshot() { return backend_.snapshot(); }
 
 private:
-    Backend& backend_;
+    AnyBackend& backend_;
     Observer& observer_;
 };
 
 class TimedMarginal {
 public:
-    TimedMarginal(const Plan& plan, Backend& backend, std::function<void()> poll,
+    template <typename AnyBackend>
+    TimedMarginal(const Plan& plan, AnyBackend& backend, std::function<void()> poll,
                   Observer& observer)
         : marginal_(plan, backend.workers(), std::move(poll),
                     [&](std::size_t count) { return backend.room_for_draws(count); }),

@@ -25,7 +25,8 @@ inline u32 to_u32(T a) {
 inline i32 to_i32(u32 a) {
     return static_cast<i32>(a);
 }
-inline i64 to_i64(u64 a) {
+template <typename T>
+inline i64 to_i64(T a) {
     return static_cast<i64>(a);
 }
 inline u64 to_u64(i64 a) {

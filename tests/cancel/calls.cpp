@@ -22,6 +22,7 @@
 
 #include "fields.h"
 #include "folder.h"
+#include "space/meshes.h"
 
 namespace lacuna::tests {
 namespace {
@@ -34,6 +35,8 @@ struct Given {
         Request request;
         request.radius = 0.006 / std::sqrt(size);
         points = sample(request).points;
+        radius_in_space = 0.04 / std::sqrt(size);
+        in_space = sample_surface({.mesh = &mesh, .radius = radius_in_space});
         for (std::size_t i = 0; i < 2000 * size; ++i)
             rings.push_back(ring_at(points[i], 0.3 * *request.radius));
         dark = field;  // orders refuse points on importance 0
@@ -92,6 +95,9 @@ struct Given {
     }
 
     std::uint32_t side;
+    Mesh mesh = sphere(24);
+    double radius_in_space;
+    SpaceResult in_space;
     Field field;
     Field dark;
     Field stretched;
@@ -213,6 +219,16 @@ void add_others(const Shared& given, std::size_t size, std::vector<Call>& all) {
     add("ellipses_of", [](const Given& g) { ellipses_of(g.points, g.stretched, 1, {1, 1}); });
     add("ellipse_field", [](const Given& g) { ellipse_field(g.side, g.side, g.ellipses); });
     add("prove", [=](const Given& g) { prove(g.points, {.radius = 0.006 * length}); });
+    add("sample_surface",
+        [](const Given& g) { sample_surface({.mesh = &g.mesh, .radius = g.radius_in_space}); });
+    add("sample_volume", [](const Given& g) {
+        sample_volume({.radius = 1.5 * std::pow(g.radius_in_space, 2. / 3) / 4});
+    });
+    add("prove in space", [](const Given& g) {
+        prove(g.in_space.points, {.mesh = &g.mesh, .radius = g.radius_in_space});
+    });
+    add("normals_of",
+        [=](const Given& g) { normals_of(g.mesh, std::vector<std::uint32_t>(200000 * size, 7)); });
     add("least_distance", [](const Given& g) { least_distance(g.points); });
     add("analyze", [](const Given& g) { analyze(std::vector<std::vector<Point>>{g.points}); });
     add("draw_mask", [=](const Given& g) { draw_mask(g.rings, {1, 1}, 0.0015 * length); });

@@ -135,7 +135,7 @@ Outcome sample(const Plan& plan, Observer& observer) {
             throw Cancelled();
         policy.note(survivors.size(), added.size(), space->free_lengths().size(),
                     space->bin_width());
-        outcome.samples.resize(before + quota.wanted(added).size());
+        outcome.samples.resize(before + quota.wanted<Sample>(added).size());
     }
     outcome.count = outcome.samples.size();
     outcome.is_cut = quota.is_met();

@@ -10,6 +10,7 @@
 #include <lacuna/relax.h>
 #include <lacuna/run.h>
 #include <lacuna/sample.h>
+#include <lacuna/space.h>
 #include <lacuna/threshold_mask.h>
 #include <lacuna/verify.h>
 #include <lacuna/version.h>
