@@ -6,7 +6,8 @@
 (2, 'float64')
 
 ``sample`` makes maximal Poisson-disk sets, ``stipple`` turns pictures into dots, and ``relax``
-makes any set more even. ``verify`` proves or refutes that a set is maximal, and ``analyze``
+makes any set more even. ``sample_surface`` and ``sample_volume`` make sets on meshes and in volumes.
+``verify`` proves or refutes that a set is maximal, and ``analyze``
 measures it. ``threshold_mask`` makes tiles for dithering. ``read_polygons`` and ``draw_mask`` turn outlines into masks. ``devices`` lists
 backends and devices. ``lacuna.qmc`` has an engine like those in scipy.stats.qmc.
 """
@@ -22,6 +23,7 @@ from ._polygons import Polygons, domain_around, draw_mask, read_lines, read_poly
 from ._relax import relax
 from ._sample import sample, sample_many
 from ._sets import Evenness, PointSet, Relaxed, Stippling
+from ._space import SpaceSet, SpaceVerdict, sample_surface, sample_volume, verify_surface, verify_volume
 from ._stipple import stipple
 from ._thresholds import threshold_mask
 from ._verify import Verdict, verify
@@ -29,9 +31,10 @@ from ._verify import Verdict, verify
 __version__: str = _core.version
 __all__ = [
     "Analysis", "BadRequest", "Device", "DeviceError", "Error", "Evenness", "FileError",
-    "MemoryRefused", "PointSet", "Polygons", "Relaxed", "Stippling", "Unavailable", "Verdict",
+    "MemoryRefused", "PointSet", "Polygons", "Relaxed", "SpaceSet", "SpaceVerdict", "Stippling", "Unavailable", "Verdict",
     "analyze", "devices", "domain_around", "draw_mask", "order", "read_lines", "read_polygons",
-    "relax", "sample", "sample_many", "stipple", "threshold_mask", "verify",
+    "relax", "sample", "sample_many", "sample_surface", "sample_volume", "stipple", "threshold_mask", "verify",
+    "verify_surface", "verify_volume",
 ]  # fmt: skip
 
 if TYPE_CHECKING:

@@ -92,6 +92,20 @@ def verify(
 def analyze(
     points: list[Floats], options: Options, progress: Progress | None
 ) -> dict[str, Any]: ...
+def sample_in_space(
+    options: Options,
+    vertices: Floats | None,
+    faces: npt.NDArray[np.uint32] | None,
+    allowed: Bytes | None,
+    keep: Floats | None,
+    progress: Progress | None,
+) -> dict[str, Any]: ...
+def verify_in_space(
+    points: Floats,
+    options: Options,
+    vertices: Floats | None,
+    faces: npt.NDArray[np.uint32] | None,
+) -> dict[str, Any]: ...
 def write_points(
     path: bytes,
     points: Floats,

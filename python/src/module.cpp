@@ -40,5 +40,6 @@ NB_MODULE(_core, module) {
     python::add_files(module);
     python::add_domains(module);
     python::add_judging(module);
+    python::add_space(module);
     module.def("devices", python::list_devices);
 }

@@ -15,6 +15,7 @@ void add_stippling(nanobind::module_& module);
 void add_files(nanobind::module_& module);    // point files and pictures
 void add_domains(nanobind::module_& module);  // masks and polygons
 void add_judging(nanobind::module_& module);  // verify and analyze
+void add_space(nanobind::module_& module);    // surfaces and volumes
 
 // The attributes of a PointSet, but for what Python was given itself.
 nanobind::dict dict_of(Result result, const Request& request, const std::optional<Relaxed>& moved);

@@ -38,6 +38,9 @@ def calls(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Call]:
     coordinates = [[np.vstack([ring, ring[:1]]).tolist()] for ring in rings[:8000]]
     geojson = str({"type": "MultiPolygon", "coordinates": coordinates}).replace("'", '"')
     (folder / "rings.geojson").write_text(geojson)
+    corners, sides = np.vstack([np.eye(3), np.zeros(3)]), [(0, 1, 2), (0, 1, 3), (1, 2, 3)]
+    on_sides = lacuna.sample_surface(corners, sides, 0.008, seed=1)
+    in_space = lacuna.sample_volume(0.06, seed=1)
 
     return {
         "sample": lambda: lacuna.sample(0.0008, seed=1),
@@ -63,6 +66,10 @@ def calls(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Call]:
         "read_polygons": lambda: lacuna.read_polygons(folder / "rings.txt"),
         "read_polygons of geojson": lambda: lacuna.read_polygons(folder / "rings.geojson"),
         "read_lines": lambda: lacuna.read_lines(folder / "rings.txt"),
+        "sample_surface": lambda: lacuna.sample_surface(corners, sides, 0.004, seed=1),
+        "sample_volume": lambda: lacuna.sample_volume(0.03, seed=1),
+        "verify_surface": lambda: lacuna.verify_surface(on_sides, corners, sides, 0.008),
+        "verify_volume": lambda: lacuna.verify_volume(in_space, 0.06),
         "save as csv": lambda: made.save(folder / "made.csv"),
         "save as json": lambda: made.save(folder / "made.json"),
         "save as svg": lambda: made.save(folder / "made.svg"),

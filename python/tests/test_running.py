@@ -79,6 +79,7 @@ with open(path, "w") as file:
 square, made = lacuna.read_polygons(path), lacuna.sample(0.1, seed=1)
 few, many = (np.random.default_rng(1).random((n, 2)) for n in (50, 10_001))
 ramp = np.linspace(0, 1, 16) * np.ones((16, 1))
+corners, sides = np.vstack([np.eye(3), np.zeros(3)]), [(0, 1, 2), (0, 1, 3), (1, 2, 3)]
 CALLS = {
     "sample": lambda: lacuna.sample(0.01, seed=1),
     "threads": lambda: lacuna.sample(0.01, seed=1, threads=5),
@@ -97,6 +98,10 @@ CALLS = {
     "read_polygons": lambda: lacuna.read_polygons(path),
     "read_lines": lambda: lacuna.read_lines(path),
     "save": lambda: made.save(saved),
+    "sample_surface": lambda: lacuna.sample_surface(corners, sides, 0.01, seed=1),
+    "sample_volume": lambda: lacuna.sample_volume(0.05, seed=1),
+    "verify_surface": lambda: lacuna.verify_surface(corners, corners, sides, 0.7),
+    "verify_volume": lambda: lacuna.verify_volume(corners, 0.7),
     "devices": lambda: lacuna.devices(),
     "opencl": lambda: lacuna.sample(0.1, seed=1, backend="opencl"),
     "vulkan": lambda: lacuna.sample(0.1, seed=1, backend="vulkan"),
