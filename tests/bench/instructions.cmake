@@ -19,7 +19,7 @@ file(MAKE_DIRECTORY ${SCRATCH})
 function(count_instructions result)
     execute_process(
         COMMAND ${VALGRIND} --tool=callgrind --callgrind-out-file=/dev/null
-            "--toggle-collect=lacuna::generate*" ${PROGRAM} ${ARGN} --backend cpu --threads 1
+            "--toggle-collect=lacuna::OutcomeOf<lacuna::Sample> lacuna::generate*" ${PROGRAM} ${ARGN} --backend cpu --threads 1
             --quiet -o ${SCRATCH}/points.npy
         RESULT_VARIABLE code ERROR_VARIABLE said)
     if(NOT code EQUAL 0 OR NOT said MATCHES "Collected : ([1-9][0-9]*)")
