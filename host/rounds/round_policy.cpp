@@ -17,7 +17,7 @@ constexpr std::uint64_t kJudgedDraws = 256;
 constexpr std::uint64_t kLostInLines = 5;
 constexpr std::uint64_t kLostInExact = 4;
 // In space bins are not trimmed by chords, so each round splits them. Measured on surfaces and in
-// volumes: one draw for 1 to 3 bins gives sets in the same time, to within 5 %.
+// volumes: one draw for 1.25 to 3 bins gives sets in the same time, to within 6 %.
 constexpr std::uint64_t kBinsADraw = 2;
 
 }  // namespace

@@ -23,18 +23,12 @@ constexpr double kSmallestRadius = 0x1p-20;  // of the longest side
 constexpr double kFarthest = 0x1p18;         // from the origin, in longest sides
 constexpr double kRounding = 1 + 0x1p-50;    // of a distance that a user computes
 constexpr double kVolumeDensity = 0.7336;    // N r^3 over the volume, on a torus
-// Measured on a sphere and a torus: the most memory that a run took beside the mesh.
-constexpr double kBytesOfPoint = 500;
+// Measured: the memory that runs took, less the mesh, was 430 to 480 bytes for each point of
+// spheres and 920 of a volume. Where triangles are small it was 60 bytes for each triangle.
+constexpr double kBytesOfPointOnSurface = 500;
+constexpr double kBytesOfPointInVolume = 1000;
 constexpr double kBytesOfTriangle = 64;
-
-// The sum of doubles in the order of the triangles.
-double area_of_mesh(const Mesh& mesh, std::span<const std::uint8_t> allowed) {
-    double area = 0;
-    for_each_polled(mesh.triangles.size(), ask, [&](std::size_t i) {
-        if (allowed.empty() || allowed[i] != 0) area += area_of(corners_of(mesh, i));
-    });
-    return area;
-}
+constexpr double kBytesOfPiece = 200;  // of a thin triangle, a radius long
 
 }  // namespace
 
@@ -45,6 +39,10 @@ CheckedRequest::CheckedRequest(const SpaceRequest& request) : request_(&request)
     if (request.radius) check_positive("radius", *request.radius);
     if (request.count && *request.count == 0) throw BadRequest("count", "0", "must be at least 1");
     if (request.limit && *request.limit == 0) throw BadRequest("limit", "0", "must be at least 1");
+    if (request.count && *request.count < request.keep.size())
+        throw BadRequest("count", std::to_string(*request.count),
+                         "must be at least " + std::to_string(request.keep.size()) +
+                             ", the number of kept points, which count");
     constexpr std::uint64_t kLargestRound = std::uint64_t{1} << 25;
     if (request.round_size > kLargestRound)
         throw BadRequest("round-size", std::to_string(request.round_size),
@@ -92,7 +90,17 @@ void CheckedRequest::find_units_of_mesh() {
     units_ = {least, {unit, unit, unit}};
     const Position far = units_.position_of(most);
     sides_ = {far.x, far.y, far.z};
-    measure_ = area_of_mesh(mesh, allowed);
+    // Sums of doubles in the order of the triangles.
+    for_each_polled(mesh.triangles.size(), ask, [&](std::size_t i) {
+        if (!allowed.empty() && allowed[i] == 0) return;
+        const auto corners = corners_of(mesh, i);
+        measure_ += area_of(corners);
+        edges_ += std::max({length_of(corners[1] - corners[0]), length_of(corners[2] - corners[1]),
+                            length_of(corners[0] - corners[2])});
+    });
+    if (request_->count && !(measure_ > 0))
+        throw BadRequest("count", std::to_string(*request_->count),
+                         "the mesh has no area: give a radius");
     lost_ = 0x1p-51 * (longest + farthest);
 }
 
@@ -141,6 +149,13 @@ double CheckedRequest::smallest_radius() const {
     return kSmallestRadius * kUnits * std::max({units_.unit.x, units_.unit.y, units_.unit.z});
 }
 
+double CheckedRequest::largest_radius() const {
+    const Volume& volume = request_->volume;
+    if (request_->mesh == nullptr && volume.boundary == Boundary::torus)
+        return std::min({volume.width, volume.height, volume.depth});
+    return 2 * kUnits * units_.unit.x;  // more than any distance
+}
+
 double CheckedRequest::expected(double radius) const {
     if (request_->mesh != nullptr) return 1 + kTorusDensity * measure_ / (radius * radius);
     if (request_->volume.boundary == Boundary::torus)
@@ -151,10 +166,7 @@ double CheckedRequest::expected(double radius) const {
 }
 
 double CheckedRequest::radius_expecting(double count) const {
-    double least = smallest_radius(), most = 2 * kUnits * units_.unit.x;
-    const Volume& volume = request_->volume;
-    if (request_->mesh == nullptr && volume.boundary == Boundary::torus)
-        most = std::min({volume.width, volume.height, volume.depth});
+    double least = smallest_radius(), most = largest_radius();
     for (int i = 0; i < 64; ++i) {
         const double middle = std::sqrt(least * most);
         (expected(middle) > count ? least : most) = middle;
@@ -162,7 +174,7 @@ double CheckedRequest::radius_expecting(double count) const {
     return least;
 }
 
-Plan CheckedRequest::plan(double radius) const {
+Plan CheckedRequest::plan(double radius, std::uint64_t most) const {
     const SpaceRequest& request = *request_;
     const std::string option = request.count ? "count" : "radius";
     const std::string value = request.count ? std::to_string(*request.count) : shortest(radius);
@@ -172,16 +184,21 @@ Plan CheckedRequest::plan(double radius) const {
                              "must be at least " + shortest(smallest_radius()) +
                              ", the longest side / 2^20");
     const double points = expected(radius);
-    const double triangles =
-        request.mesh == nullptr ? 0 : static_cast<double>(request.mesh->triangles.size());
-    refuse_more_memory(Request{.run_on = request.run_on}, option, value,
-                       points * kBytesOfPoint + triangles * kBytesOfTriangle);
+    const double bytes =
+        request.mesh == nullptr
+            ? points * kBytesOfPointInVolume
+            : points * kBytesOfPointOnSurface +
+                  static_cast<double>(request.mesh->triangles.size()) * kBytesOfTriangle +
+                  edges_ / radius * kBytesOfPiece;
+    refuse_more_memory(Request{.run_on = request.run_on}, option, value, bytes);
     if (points > 0x1p29) throw BadRequest(option, value, "would make more than 2^29 points");
 
     Plan plan;
     const double unit = std::min({units_.unit.x, units_.unit.y, units_.unit.z});
     const double in_units = std::ceil((radius * kRounding + lost_) / unit);
-    plan.radius = static_cast<std::uint32_t>(std::min(in_units, 0x1p31));
+    // Kept points are rounded to units, too, by less than two units.
+    const double of_kept = request.keep.empty() ? 0 : 2;
+    plan.radius = static_cast<std::uint32_t>(std::min(in_units + of_kept, 0x1p31));
     plan.radius_squared = std::uint64_t{plan.radius} * plan.radius;
     plan.seed = request.seed;
     plan.round_size = request.round_size;
@@ -200,8 +217,6 @@ Plan CheckedRequest::plan(double radius) const {
         request.mesh == nullptr
             ? bins_of_volume(sides_, wraps, plan.radius, kept)
             : bins_of_surface(*request.mesh, request.allowed, units_, plan.radius, kept))};
-    const std::uint64_t most = std::min(request.limit.value_or(~std::uint64_t{0}),
-                                        request.count.value_or(~std::uint64_t{0}));
     const std::uint64_t members = kept.size();
     plan.limit = most > members ? most - members : 0;
     plan.maximal_samples = static_cast<std::uint64_t>(points);

@@ -69,8 +69,10 @@ void append(const CheckedRequest& request, const Plan& plan,
     });
 }
 
-SpaceResult sample_at(const CheckedRequest& request, double radius, Observer& observer) {
-    const Plan plan = request.plan(radius);
+// The first `most` points of a maximal set.
+SpaceResult sample_at(const CheckedRequest& request, double radius, std::uint64_t most,
+                      Observer& observer) {
+    const Plan plan = request.plan(radius, most);
     check_kept_distances(request, plan);
     SpaceResult result{.radius = radius};
     const std::string wanted = wanted_backend(request->run_on.backend);
@@ -99,33 +101,55 @@ SpaceResult sample_at(const CheckedRequest& request, double radius, Observer& ob
     result.maximal = !outcome.is_cut;
     result.rounds = outcome.rounds;
     result.draws = outcome.draws;
-    const auto members = static_cast<std::ptrdiff_t>(
-        std::min<std::uint64_t>(request->keep.size(), request->limit.value_or(~std::uint64_t{0})));
+    const auto members =
+        static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(request->keep.size(), most));
     result.points.reserve(request->keep.size() + outcome.samples.size());
     result.points.assign(request->keep.begin(), request->keep.begin() + members);
     append(request, plan, outcome.samples, result);
     return result;
 }
 
-// A count: the first points of a maximal set that has somewhat more.
+void cut(SpaceResult& result, std::size_t kept, std::uint64_t most) {
+    if (result.points.size() <= most) return;
+    result.points.resize(most);
+    result.maximal = false;
+    if (result.triangles.empty()) return;
+    result.triangles.resize(most - std::min<std::uint64_t>(kept, most));
+    result.shares.resize(result.triangles.size());
+}
+
+// A count: the first points of a maximal set that has somewhat more. Where a surface is curved,
+// thin or small for the radius, other numbers find room than are expected: then the radius lies
+// between one at which there were too few and one at which there were far too many.
 SpaceResult sample_count(const CheckedRequest& request, Observer& observer) {
     constexpr double kDeviations = 4 * kCountDeviation;
-    const auto count = static_cast<double>(*request->count);
-    if (*request->count < request->keep.size())
-        throw BadRequest("count", std::to_string(*request->count),
-                         "must be at least " + std::to_string(request->keep.size()) +
-                             ", the number of kept points, which count");
-    const double aim = count + kDeviations * std::sqrt(count) + 1;
-    double expecting = aim;
-    for (;;) {
-        const double radius = request.radius_expecting(expecting);
-        SpaceResult result = sample_at(request, radius, observer);
-        const auto found = static_cast<double>(result.points.size());
-        if (found >=
-            std::min<double>(count, static_cast<double>(request->limit.value_or(*request->count))))
+    constexpr double kNarrow = 1.001;
+    const std::uint64_t count = *request->count;
+    const double aim =
+        static_cast<double>(count) + kDeviations * std::sqrt(static_cast<double>(count)) + 1;
+    const auto too_many = static_cast<std::uint64_t>(1.5 * aim) + 8;
+    double few = 0, many = 0;  // radii; 0: not known
+    for (double radius = request.radius_expecting(aim);;) {
+        SpaceResult result = sample_at(request, radius, too_many, observer);
+        const std::size_t found = result.points.size();
+        const bool is_largest = radius >= request.largest_radius();
+        if (found >= count &&
+            (result.maximal || is_largest || (few > 0 && few < kNarrow * radius))) {
+            cut(result, request->keep.size(), std::min(count, request->limit.value_or(count)));
             return result;
-        // Where a surface is curved or thin, other numbers find room than are expected.
-        expecting *= std::max(1.02, aim / std::max(found, 1.0));
+        }
+        (found >= count ? many : few) = radius;
+        if (few > 0 && many > 0)
+            radius = std::sqrt(few * many);
+        else
+            radius *=
+                found >= count ? 1.25 : std::min(0.98, std::sqrt(static_cast<double>(found) / aim));
+        radius = std::min(radius, request.largest_radius());
+        if (radius < request.smallest_radius())
+            throw BadRequest("count", std::to_string(count),
+                             "there is room for " + std::to_string(found) +
+                                 " points at a radius of " + shortest(few) +
+                                 ", and it cannot be smaller than the longest side / 2^20");
     }
 }
 
@@ -133,7 +157,8 @@ SpaceResult sample(const SpaceRequest& request, Observer& observer) {
     Asked asked(observer, {0, request.count.value_or(request.limit.value_or(1)), 0});
     const CheckedRequest checked(request);
     return request.count ? sample_count(checked, asked)
-                         : sample_at(checked, *request.radius, asked);
+                         : sample_at(checked, *request.radius,
+                                     request.limit.value_or(~std::uint64_t{0}), asked);
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ def test_points_keep_their_distance_with_bounds(
 @pytest.mark.parametrize(
     ("argument", "arguments"),
     [
-        ("d", {"d": 3}),
+        ("d", {"d": 4}),
         ("radius", {"radius": 0}),
         ("radius", {"radius": float("nan")}),
         ("l_bounds", {"l_bounds": (0, 2)}),

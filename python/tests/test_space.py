@@ -52,6 +52,17 @@ def test_a_volume_is_covered_and_no_pair_is_closer():
     assert len(more) == 500 and np.array_equal(np.asarray(more)[:9], made.points[:9])
 
 
+def test_the_engine_of_scipys_kind_has_three_dimensions() -> None:
+    from lacuna import qmc
+
+    engine = qmc.PoissonDisk(d=3, radius=0.1, rng=4, l_bounds=-1, u_bounds=(1, 0, 0))
+    points = np.concatenate([engine.random(10), engine.fill_space()])
+    assert points.shape[1] == 3 and (points >= -1).all() and (points < (1, 0, 0)).all()
+    assert lacuna.verify_volume(points + 1, 0.1, domain=(2, 1, 1), tolerance=1e-8)
+    with pytest.raises(lacuna.BadRequest, match="d 4: must be 2 or 3"):
+        qmc.PoissonDisk(4)
+
+
 @pytest.mark.parametrize(
     "argument, change",
     [

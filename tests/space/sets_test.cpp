@@ -24,9 +24,11 @@ SpaceResult made(const SpaceRequest& request) {
     return request.mesh != nullptr ? sample_surface(request) : sample_volume(request);
 }
 
-SpaceProof proof_of(const SpaceRequest& request, const SpaceResult& set) {
-    return prove(set.points,
-                 {.mesh = request.mesh, .volume = request.volume, .radius = set.radius});
+// With kept points the tolerance is twice as large.
+SpaceProof proof_of(const SpaceRequest& request, const SpaceResult& set, double tolerance = 0) {
+    SpaceClaim claim{.mesh = request.mesh, .volume = request.volume, .radius = set.radius};
+    if (tolerance > 0) claim.tolerance = tolerance;
+    return prove(set.points, claim);
 }
 
 void expect_the_same(const SpaceResult& a, const SpaceResult& b) {
@@ -40,13 +42,14 @@ void expect_the_same(const SpaceResult& a, const SpaceResult& b) {
 void expect_one_set(SpaceRequest request) {
     request.run_on.backend = "reference";
     const SpaceResult set = made(request);
-    EXPECT_EQ(set.maximal, !request.count && set.points.size() != request.limit);
+    // A set of a count may have no room by chance.
+    EXPECT_TRUE(request.count || set.maximal == (set.points.size() != request.limit));
     request.run_on.backend = "cpu";
     for (const std::uint32_t threads : {1U, 2U, 3U}) {
         request.run_on.threads = threads;
         expect_the_same(made(request), set);
     }
-    const SpaceProof proof = proof_of(request, set);
+    const SpaceProof proof = proof_of(request, set, request.keep.empty() ? 0 : 0x1p-27);
     EXPECT_FALSE(proof.outside);
     EXPECT_TRUE(proof.kept) << proof.least_distance << " of " << set.radius;
     EXPECT_TRUE(proof.covered || !set.maximal) << proof.largest_gap_distance / set.radius;
@@ -69,9 +72,13 @@ TEST(SetsInSpace, OfRandomRequestsAreMaximalAndTheSameEverywhere) {
         request.radius = (request.mesh != nullptr ? 0.08 : 0.16) + 0.01 * below(12);
         std::vector<Point3> keep;
         if (one_in(3)) {
-            const SpaceResult before = made(request);
-            keep.assign(before.points.begin(),
-                        before.points.begin() + static_cast<long>(before.points.size() / 2));
+            // Others' points, which lie between the units.
+            SpaceRequest larger = request;
+            *larger.radius *= 1.01;
+            keep = made(larger).points;
+            keep.resize(keep.size() / 2);
+            for (Point3& point : keep)
+                if (request.mesh != nullptr || point.x > 1e-9) point.x -= 1e-10 * below(9);
             request.keep = keep;
             request.seed += 1000;
         }
@@ -88,7 +95,8 @@ TEST(SetsInSpace, OfRandomRequestsAreMaximalAndTheSameEverywhere) {
     }
 }
 
-// N r^2 over the area, and N r^3 over the volume. The deviations are those of 10 sets.
+// N r^2 over the area, and N r^3 over the volume. The standard deviation of a count is about a
+// quarter of its root: here .0013 and .0014.
 TEST(SetsInSpace, HaveTheDensityOfRandomSequentialAdsorption) {
     for (const auto& [sides, radius] : {std::pair(16U, 0.02), {300U, 0.02}}) {
         const Mesh mesh = tests::sphere(sides);
@@ -166,6 +174,15 @@ TEST(SetsInSpace, HaveAsManyPointsAsDartThrowing) {
     EXPECT_NEAR(ours / kSets, thrown / kSets, 4 * std::sqrt(2 * variance / kSets));
 }
 
+// The number of points goes by the length of the ribbon, not by its area.
+TEST(SetsInSpace, OfACountOnARibbonAreSpreadOverAllOfIt) {
+    const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {1, 1e-4, 0}, {0, 1e-4, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+    const SpaceResult set = made({.mesh = &mesh, .count = 50, .seed = 1});
+    EXPECT_EQ(set.points.size(), 50u);
+    EXPECT_GT(set.radius, 0.01);  // 0.7476 of the length over the count, for cars on a street
+    EXPECT_LT(set.radius, 0.0151);
+}
+
 TEST(SetsInSpace, SayWhereTheirPointsLieOnTheMesh) {
     const Mesh mesh = tests::soup(30, 4);
     std::vector<std::uint8_t> allowed(mesh.triangles.size(), 1);
@@ -198,6 +215,9 @@ TEST(RequestsInSpace, ThatMakeNoSenseAreRefused) {
     EXPECT_EQ(refusal({.mesh = &mesh, .radius = 1, .count = 2}), "radius with a count");
     EXPECT_EQ(refusal({.mesh = &mesh, .radius = -1}), "radius -1");
     EXPECT_EQ(refusal({.mesh = &mesh, .radius = 1e-9}), "radius 1e-09");
+    const Mesh line{{{0, 0, 0}, {1, 0, 0}}, {{0, 1, 1}}};
+    EXPECT_EQ(refusal({.mesh = &line, .count = 5}), "count 5");
+    EXPECT_EQ(refusal({.mesh = &mesh, .count = 1, .keep = close}), "count 1");
     EXPECT_EQ(refusal({.mesh = &mesh, .radius = 1, .allowed = none}), "allowed no triangle");
     EXPECT_EQ(refusal({.mesh = &mesh, .radius = 1, .keep = close}),
               "keep points that are closer than 1");

@@ -9,7 +9,8 @@
 //   - No two points are closer than the radius, computed in double from the points returned.
 //     Distances are straight through space: two points on both sides of a thin wall conflict.
 //   - Every spot of the surface, or of the volume, has a point within the radius plus 2^-28 of the
-//     longest side of the box around it. Points lie on the surface, to within 2^-29 of that side.
+//     longest side of the box around it, with kept points 2^-27. Points lie on the surface, to
+//     within 2^-29 of that side.
 //   - The set is distributed as if darts were thrown, evenly by area or volume, until no room is
 //     left. On a surface that is flat compared with the radius there are about 0.697 * area /
 //     radius^2 points; in a volume on a torus 0.734 * volume / radius^3.
@@ -64,6 +65,7 @@ struct SpaceRequest {
     // the box around the mesh; on a torus at most the shortest side.
     std::optional<double> radius{};
     // Exactly this many points, at a radius that has room for a few more: the set is not maximal.
+    // Not on a mesh without area.
     std::optional<std::uint64_t> count{};
     // On a mesh: whether points may lie on each triangle; 0: not. Empty: on all.
     std::span<const std::uint8_t> allowed{};
