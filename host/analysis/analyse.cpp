@@ -12,6 +12,7 @@
 #include "analysis/pairs.h"
 #include "base/threads.h"
 #include "checks/domain.h"
+#include "checks/numbers.h"
 
 namespace lacuna::analysis {
 namespace {
@@ -199,9 +200,7 @@ Analysis analysed(std::span<const std::vector<Point>> sets, const Domain& domain
 
 void check_effort(const Effort& effort) {
     range_for({1, 1, true}, 1, effort.max_frequency);
-    if (effort.threads > kMostThreads)
-        throw BadRequest("threads", fmt::format("{}", effort.threads),
-                         fmt::format("must be at most {}", kMostThreads));
+    check_threads(effort.threads);
 }
 
 void check_radius(double radius) {

@@ -31,7 +31,7 @@ double distance_factor(const Request& request, const Result& result);
 // 0 in a request without classes.
 double border_of(const Request& request, std::size_t of_class);
 const Mask* mask_of(const Request& request, std::size_t of_class);
-// Whether a class may have a border or a mask of its own.
+// Whether a class may have a border, a mask or an outline of its own.
 bool has_own_places(const Places& places);
 // Whether a class has a number of points.
 bool has_counts(const Classes& classes);

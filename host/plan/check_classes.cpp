@@ -96,8 +96,9 @@ void check_classes(const Request& request) {
     const Classes& classes = request.classes;
     const std::string mode = "with mode " + std::string(name_of(request.mode));
     if (classes.names.empty()) {
-        if (!classes.distances.empty() || !classes.weights.empty() ||
-            has_own_places(request.places))
+        const Places& places = request.places;  // outlines name their classes themselves
+        if (!classes.distances.empty() || !classes.weights.empty() || !places.borders.empty() ||
+            !places.masks.empty())
             throw BadRequest("between", "distances, weights, borders or masks",
                              "are for classes, which lack names");
         if (!request.keep_classes.empty())

@@ -12,6 +12,7 @@
 #include "base/threads.h"
 #include "checks/classes.h"
 #include "checks/domain.h"
+#include "checks/numbers.h"
 #include "checks/pixels.h"
 #include "plan/checked_request.h"
 #include "plan/sizes.h"
@@ -148,9 +149,7 @@ void check_request(const Request& request) {
     if (!given && !request.count && request.classes.names.empty())
         throw BadRequest(size, "missing", "give either --" + size + " or --count");
     if (request.count && *request.count == 0) throw BadRequest("count", "0", "must be at least 1");
-    if (request.run_on.threads > kMostThreads)
-        throw BadRequest("threads", std::to_string(request.run_on.threads),
-                         "must be at most " + std::to_string(kMostThreads));
+    check_threads(request.run_on.threads);
     check_round_size(request);
 }
 

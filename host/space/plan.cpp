@@ -13,6 +13,7 @@
 #include "checks/numbers.h"
 #include "checks/space.h"
 #include "plan/sizes.h"
+#include "rounds/round_policy.h"
 #include "space/vectors.h"
 
 namespace lacuna::space {
@@ -43,10 +44,10 @@ CheckedRequest::CheckedRequest(const SpaceRequest& request) : request_(&request)
         throw BadRequest("count", std::to_string(*request.count),
                          "must be at least " + std::to_string(request.keep.size()) +
                              ", the number of kept points, which count");
-    constexpr std::uint64_t kLargestRound = std::uint64_t{1} << 25;
-    if (request.round_size > kLargestRound)
+    if (request.round_size > kLargestRoundInExact)
         throw BadRequest("round-size", std::to_string(request.round_size),
-                         "must be at most " + std::to_string(kLargestRound));
+                         "must be at most " + std::to_string(kLargestRoundInExact));
+    check_threads(request.run_on.threads);
     if (request.mesh != nullptr)
         find_units_of_mesh();
     else
@@ -120,21 +121,19 @@ void CheckedRequest::find_units_of_volume() {
               static_cast<std::int32_t>(z)};
     measure_ = volume.width * volume.height * volume.depth;
     lost_ = 0x1p-51 * longest;
-    const double shortest_side = std::min({volume.width, volume.height, volume.depth});
-    if (volume.boundary == Boundary::torus && request_->radius && *request_->radius > shortest_side)
+    if (wraps() && request_->radius && *request_->radius > largest_radius())
         throw BadRequest(
             "radius", shortest(*request_->radius),
-            "must be at most the shortest side of a torus, " + shortest(shortest_side));
+            "must be at most the shortest side of a torus, " + shortest(largest_radius()));
 }
 
 void CheckedRequest::check_keep() const {
     check_points(request_->keep, "keep");
-    const bool is_open = request_->mesh == nullptr && request_->volume.boundary == Boundary::torus;
     for_each_polled(request_->keep.size(), ask, [&](std::size_t i) {
         const Point3& point = request_->keep[i];
         const auto is_in = [&](double at, double low, double unit, std::int32_t side) {
             const double steps = (at - low) / unit;
-            return steps >= -2 && (is_open ? steps < side : steps <= side + 2.0);
+            return steps >= -2 && (wraps() ? steps < side : steps <= side + 2.0);
         };
         if (!is_in(point.x, units_.low.x, units_.unit.x, sides_[0]) ||
             !is_in(point.y, units_.low.y, units_.unit.y, sides_[1]) ||
@@ -151,15 +150,13 @@ double CheckedRequest::smallest_radius() const {
 
 double CheckedRequest::largest_radius() const {
     const Volume& volume = request_->volume;
-    if (request_->mesh == nullptr && volume.boundary == Boundary::torus)
-        return std::min({volume.width, volume.height, volume.depth});
+    if (wraps()) return std::min({volume.width, volume.height, volume.depth});
     return 2 * kUnits * units_.unit.x;  // more than any distance
 }
 
 double CheckedRequest::expected(double radius) const {
     if (request_->mesh != nullptr) return 1 + kTorusDensity * measure_ / (radius * radius);
-    if (request_->volume.boundary == Boundary::torus)
-        return kVolumeDensity * measure_ / (radius * radius * radius);
+    if (wraps()) return kVolumeDensity * measure_ / (radius * radius * radius);
     const Volume& volume = request_->volume;  // as if it were larger by most of a radius
     return kVolumeDensity * (volume.width / radius + 0.8) * (volume.height / radius + 0.8) *
            (volume.depth / radius + 0.8);
@@ -212,10 +209,9 @@ Plan CheckedRequest::plan(double radius, std::uint64_t most) const {
                     std::clamp(position.z, 0, sides_[2] - last)};
         kept.push_back(position);
     }
-    const bool wraps = request.mesh == nullptr && request.volume.boundary == Boundary::torus;
     plan.of_mode = SpacePlan{std::make_shared<const FirstBins>(
         request.mesh == nullptr
-            ? bins_of_volume(sides_, wraps, plan.radius, kept)
+            ? bins_of_volume(sides_, wraps(), plan.radius, kept)
             : bins_of_surface(*request.mesh, request.allowed, units_, plan.radius, kept))};
     const std::uint64_t members = kept.size();
     plan.limit = most > members ? most - members : 0;

@@ -31,6 +31,9 @@ private:
     void find_units_of_mesh();
     void find_units_of_volume();
     void check_keep() const;
+    bool wraps() const {
+        return request_->mesh == nullptr && request_->volume.boundary == Boundary::torus;
+    }
 
     const SpaceRequest* request_;
     Units units_;

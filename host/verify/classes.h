@@ -35,8 +35,6 @@ private:
     std::deque<RadiusField> fields_;
 };
 
-// Whether classes of a claim may lie in places of their own.
-
 // The samples are in the order of Claim::class_of_points, each with its radius for the least
 // distance of all classes.
 Pair closest_of_classes(const Domain& domain, const Claim& claim, std::span<const Disk> samples,

@@ -45,6 +45,10 @@ TEST(Requests, ThatMakeNoSenseAreRefusedInOneLine) {
          {.domain = {.boundary = static_cast<Boundary>(2)}, .radius = 0.1}},
         {"metric -1: must be Metric::min, mean or max",
          {.radius = 0.1, .metric = static_cast<Metric>(-1)}},
+        {"inside b: is no class of this set",
+         {.radius = 0.1,
+          .places = {.outlines = {{.polygons = {{two}}, .of_class = "b"}},
+                     .border_by_radius = true}}},
         {"mask 3x2 with 5" + size, {.radius = 0.1, .places = {.mask = &five}}},
         {"accepted", {.radius = 0.1, .places = {.mask = &closed}}},
         {"count 10: points may lie nowhere in the domain, [0, 1) x [0, 1): must be a set without "

@@ -226,6 +226,7 @@ TEST(RequestsInSpace, ThatMakeNoSenseAreRefused) {
     EXPECT_EQ(refusal({.volume = {1, 2000, 1}, .radius = 0.1}), "volume 1x2000x1");
     EXPECT_EQ(refusal({.radius = 0.00001}), "radius 1e-05");
     EXPECT_EQ(refusal({.radius = 0.1, .run_on = {.backend = "none"}}), "backend none");
+    EXPECT_EQ(refusal({.radius = 0.1, .run_on = {.threads = 1025}}), "threads 1025");
     EXPECT_THROW(made({.radius = 0.1, .run_on = {.backend = "opencl"}}), Unavailable);
 }
 
