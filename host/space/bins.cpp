@@ -119,9 +119,6 @@ private:
         }
         return kept;
     }
-    static bool is_unit(const Position& low, const Position& high) {
-        return high.x - low.x <= 1 && high.y - low.y <= 1 && high.z - low.z <= 1;
-    }
     static bool has_units(const Position& low, const Position& middle, const Position& high) {
         const auto least = [](std::int32_t a, std::int32_t b, std::int32_t c) {
             return std::min(b - a, c - b);

@@ -73,9 +73,6 @@ struct FirstBins {
         };
         return {{cut(0, 0), cut(1, 0), cut(2, 0)}, {cut(0, 1), cut(1, 1), cut(2, 1)}, {}};
     }
-    Solid solid_of(const Portion& part, std::uint32_t block) const {
-        return is_volume() ? cell(block) : triangles[part.third];
-    }
     std::uint64_t weight_of(const Portion& part, std::uint32_t block) const {
         if (!is_volume()) return weight_of_triangle(weights[part.third], part);
         const Solid box = cell(block);

@@ -65,7 +65,7 @@ public:
         const Solid box = all.cell(block);
         a_ = low_corner(box, part);
         b_ = high_corner(box, part);
-        if (b_.x - a_.x <= 1 && b_.y - a_.y <= 1 && b_.z - a_.z <= 1) b_ = a_;
+        if (is_unit(a_, b_)) b_ = a_;
     }
     bool are_within(const Position& sample, std::uint64_t radius_squared) const {
         if (is_box_) return squared_distance_to_farthest(sample, a_, b_) < radius_squared;

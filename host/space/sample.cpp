@@ -69,20 +69,30 @@ void append(const CheckedRequest& request, const Plan& plan,
     });
 }
 
+// Throws BadRequest and Unavailable.
+std::string backend_of(const RunOn& run_on) {
+    if (!run_on.device.empty())
+        throw BadRequest("device", run_on.device, "is for sets in the plane");
+    const std::string wanted = wanted_backend(run_on.backend);
+    if (wanted == "auto") return "cpu";
+    if (wanted == "cpu" || wanted == "reference") return wanted;
+    if (wanted == "opencl" || wanted == "vulkan")
+        throw Unavailable("backend " + wanted + ": makes sets in the plane alone");
+    throw no_such_backend(wanted);
+}
+
 // The first `most` points of a maximal set.
 SpaceResult sample_at(const CheckedRequest& request, double radius, std::uint64_t most,
                       Observer& observer) {
     const Plan plan = request.plan(radius, most);
     check_kept_distances(request, plan);
     SpaceResult result{.radius = radius};
-    const std::string wanted = wanted_backend(request->run_on.backend);
+    result.backend = backend_of(request->run_on);
     OutcomeOf<SpaceSample> outcome;
-    if (!request->run_on.device.empty())
-        throw BadRequest("device", request->run_on.device, "is for sets in the plane");
-    if (wanted == "reference") {
+    if (result.backend == "reference") {
         outcome = reference_samples(plan, observer);
         result.device = "1 thread";
-    } else if (wanted == "cpu" || wanted == "auto") {
+    } else {
         const auto backend = make_cpu_backend(plan, request->run_on.threads);
         std::vector<SpaceSample> all;
         all.reserve(plan.expected_samples);
@@ -92,12 +102,7 @@ SpaceResult sample_at(const CheckedRequest& request, double radius, std::uint64_
                                         });
         outcome.samples = std::move(all);
         result.device = backend->device();
-    } else if (wanted == "opencl" || wanted == "vulkan") {
-        throw Unavailable("backend " + wanted + ": makes sets in the plane alone");
-    } else {
-        throw no_such_backend(wanted);
     }
-    result.backend = wanted == "auto" ? "cpu" : wanted;
     result.maximal = !outcome.is_cut;
     result.rounds = outcome.rounds;
     result.draws = outcome.draws;
@@ -156,6 +161,7 @@ SpaceResult sample_count(const CheckedRequest& request, Observer& observer) {
 SpaceResult sample(const SpaceRequest& request, Observer& observer) {
     Asked asked(observer, {0, request.count.value_or(request.limit.value_or(1)), 0});
     const CheckedRequest checked(request);
+    backend_of(request.run_on);  // refused before memory and time are spent on a plan
     return request.count ? sample_count(checked, asked)
                          : sample_at(checked, *request.radius,
                                      request.limit.value_or(~std::uint64_t{0}), asked);

@@ -1,5 +1,5 @@
 // Parts of surfaces and volumes, which are drawn from and split, and distances in space. Positions
-// are whole numbers, and both axes and distances have the same unit.
+// are whole numbers; distances have the unit of the axes.
 //
 // A part of a triangle is (level, u, v): its corner is u and v steps along two of the triangle's
 // sides, each cut into 2^31 steps, and its own sides are 2^(31 - level) steps long, backwards if it
@@ -150,6 +150,11 @@ LACUNA_FN Position high_corner(Solid box, Portion part) {
     position.y = cut_of_side(box.a.y, box.b.y, part.second + 1u, part.shape);
     position.z = cut_of_side(box.a.z, box.b.z, part.third + 1u, part.shape);
     return position;
+}
+
+// A part this small is its low corner, so that the splitting ends.
+LACUNA_FN bool is_unit(Position low, Position high) {
+    return high.x - low.x <= 1 && high.y - low.y <= 1 && high.z - low.z <= 1;
 }
 
 // Part 0 to 7: bit 0 is along x, bit 1 along y, bit 2 along z.

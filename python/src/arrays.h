@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -48,7 +49,8 @@ inline std::vector<Point> points_of(const PointArray& array) {
     return points;
 }
 
-// Makes a read-only array that takes over the numbers, without a copy.
+// Makes a read-only array that takes over the numbers, without a copy. Structs of doubles, such as
+// points, are its rows.
 template <typename Number>
 nb::object array_of(std::vector<Number>&& numbers) {
     auto kept = std::make_unique<std::vector<Number>>(std::move(numbers));
@@ -58,11 +60,10 @@ nb::object array_of(std::vector<Number>&& numbers) {
         const std::unique_ptr<std::vector<Number>> last(static_cast<std::vector<Number>*>(pointer));
     });
     static_cast<void>(kept.release());
-    constexpr bool are_points = std::is_same_v<Number, Point>;
-    if constexpr (are_points || std::is_same_v<Number, Ellipse>) {
+    if constexpr (!std::is_arithmetic_v<Number>) {
         const auto* const first = reinterpret_cast<const double*>(data);
         return nb::cast(nb::ndarray<nb::numpy, const double, nb::ndim<2>>(
-            first, {count, are_points ? std::size_t{2} : std::size_t{3}}, owner));
+            first, {count, sizeof(Number) / sizeof(double)}, owner));
     } else {
         return nb::cast(nb::ndarray<nb::numpy, const Number, nb::ndim<1>>(data, {count}, owner));
     }

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -36,20 +35,6 @@ std::vector<Point3> points_of_rows(const Rows& array) {
         from += 3;
     }
     return points;
-}
-
-// Makes an array of rows that takes over the vector, without a copy.
-template <typename Row>
-nb::object rows_of(std::vector<Row>&& rows) {
-    auto kept = std::make_unique<std::vector<Row>>(std::move(rows));
-    const auto* const first = reinterpret_cast<const double*>(kept->data());
-    const std::size_t count = kept->size();
-    const nb::capsule owner(kept.get(), [](void* pointer) noexcept {
-        const std::unique_ptr<std::vector<Row>> last(static_cast<std::vector<Row>*>(pointer));
-    });
-    static_cast<void>(kept.release());
-    return nb::cast(
-        nb::ndarray<nb::numpy, const double, nb::ndim<2>>(first, {count, std::size_t{3}}, owner));
 }
 
 // Needs the GIL until it is made. The mesh is there after copy(), which does not.
@@ -112,14 +97,14 @@ nb::dict sample_in_space(const nb::dict& given, std::optional<Rows> vertices,
         if (request.mesh != nullptr) normals = normals_of(mesh.mesh(), set.triangles);
     }
     nb::dict made;
-    made["points"] = rows_of(std::move(set.points));
+    made["points"] = array_of(std::move(set.points));
     made["radius"] = set.radius;
     made["maximal"] = set.maximal;
     made["triangles"] = made["shares"] = made["normals"] = nb::none();
     if (request.mesh != nullptr) {
         made["triangles"] = array_of(std::move(set.triangles));
-        made["shares"] = rows_of(std::move(set.shares));
-        made["normals"] = rows_of(std::move(normals));
+        made["shares"] = array_of(std::move(set.shares));
+        made["normals"] = array_of(std::move(normals));
     }
     made["seed"] = request.seed;
     made["rounds"] = set.rounds;
