@@ -61,17 +61,19 @@ function(lacuna_add_opencl)
     set_source_files_properties(${PROJECT_SOURCE_DIR}/host/backends/opencl/entry_points.cpp
         PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     # The kernels of a group are compiled together: for lines and exact, exact with a radius field,
-    # cells, relax, and its descent. A driver would take longer to compile each kernel as a program of its own.
+    # cells, surfaces and volumes, relax, and its descent. A driver would take longer to compile each kernel as a program of its own.
     set(spans open_lines locate locate_in_boxes screen admit insert collect subtract sum_tiles grow unfold cut
         keep scan count_samples list_samples find_bin_begins)
     set(radius_field locate_with_field screen_with_field reach admit_with_field enlist split
         cut_with_field keep_with_field scan measure count_samples list_samples)
     set(cells locate_in_cells sort_columns look_up_radii screen_in_cells admit_in_cells
         subtract_in_cells scan count_samples list_samples)
+    set(space locate_in_space screen_in_space admit_in_space insert_in_space split_in_space
+        keep_in_space scan count_samples list_samples_in_space)
     set(relax find_hints find_rivals assign tell_owners assign_crowded limit move level_sites)
     set(descent find_cells scan sort_into_cells descend)
     set(groups)
-    foreach(group IN ITEMS spans cells radius_field relax descent)
+    foreach(group IN ITEMS spans cells radius_field space relax descent)
         list(TRANSFORM ${group} REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/kernels/\\1.cl")
         list(JOIN ${group} "|" files)
         list(APPEND groups ${files})

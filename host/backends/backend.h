@@ -87,6 +87,12 @@ public:
     virtual void restore(const Snapshot& snapshot) = 0;
 };
 
+// The same on surfaces and in volumes, for samples of space/portion.h.
+namespace space {
+struct SpaceSample;
+using SpaceBackend = BackendOf<SpaceSample>;
+}  // namespace space
+
 // The device and the number of threads that the request asks for.
 struct Placement {
     std::string device;

@@ -120,6 +120,10 @@ std::string wanted_backend(const std::string& asked) {
     return forced != nullptr && *forced != '\0' ? forced : "auto";
 }
 
+std::string backend_named(const RunOn& run_on) {
+    return std::string(entry_for(run_on).name);
+}
+
 BadRequest no_such_backend(const std::string& wanted) {
     return BadRequest("backend", wanted, "must be one of " + names());
 }

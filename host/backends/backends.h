@@ -14,6 +14,10 @@ namespace lacuna {
 // The backend that was asked for or, where that is "auto", the environment's LACUNA_BACKEND.
 std::string wanted_backend(const std::string& asked);
 
+// The name of the backend that a request asks for, also as "auto". Throws BadRequest if there is
+// none of that name, or if it has no devices and one is named.
+std::string backend_named(const RunOn& run_on);
+
 // The error for a backend that does not exist. All builds know the same names.
 BadRequest no_such_backend(const std::string& wanted);
 

@@ -147,13 +147,13 @@ private:
 }  // namespace
 
 Bins::Bins(const FirstBins& all, std::uint64_t radius_squared, Workers& workers)
-    : all_(all), radius_squared_(radius_squared), bins_(all.bins) {
+    : all_(all), radius_squared_(radius_squared), now_(all.bins) {
     for (std::uint32_t block = 0; block < all.blocks(); ++block) {
         if (all.begins[block] == all.begins[block + 1]) continue;
         blocks_.push_back(block);
         begins_.push_back(all.begins[block]);
     }
-    begins_.push_back(static_cast<std::uint32_t>(bins_.size()));
+    begins_.push_back(static_cast<std::uint32_t>(size()));
     find_runs();
     weigh(workers);
 }
@@ -168,7 +168,7 @@ void Bins::find_runs() {
 
 bool Bins::is_to_split(std::size_t bin, std::uint32_t block) const {
     return std::uint64_t{lengths_[bin]} * widths_[bin] >= least_to_split_ &&
-           can_be_split(all_, bins_[bin], block);
+           can_be_split(all_, now_[bin], block);
 }
 
 void Bins::mark(const Samples& samples, Span blocks) {
@@ -178,7 +178,7 @@ void Bins::mark(const Samples& samples, Span blocks) {
         Splitting splitting(all_, radius_squared_, block(i), near);
         for (std::uint32_t bin = begin(i); bin < begin(i + 1); ++bin) {
             const bool splits = is_to_split(bin, block(i));
-            kept_[bin] = static_cast<std::uint16_t>(splitting.kept_of(bins_[bin], splits) |
+            kept_[bin] = static_cast<std::uint16_t>(splitting.kept_of(now_[bin], splits) |
                                                     (splits ? kSplits : 0U));
         }
     }
@@ -203,7 +203,7 @@ void Bins::take_marked(Workers& workers) {
         Portion* next = pieces.data() + firsts[run(of_run).begin];
         for (std::uint32_t i = run(of_run).begin; i < run(of_run).end; ++i)
             for (std::uint32_t bin = begin(i); bin < begin(i + 1); ++bin) {
-                const Portion& part = bins_[bin];
+                const Portion& part = now_[bin];
                 const bool splits = (kept_[bin] & kSplits) != 0;
                 for (unsigned kept = kept_[bin] & (kSplits - 1U); kept != 0; kept &= kept - 1) {
                     const auto which = static_cast<std::uint32_t>(std::countr_zero(kept));
@@ -211,7 +211,8 @@ void Bins::take_marked(Workers& workers) {
                 }
             }
     });
-    bins_ = std::move(pieces);
+    pieces_ = std::move(pieces);
+    now_ = pieces_;
     blocks_ = std::move(blocks);
     begins_ = std::move(begins);
     find_runs();
@@ -234,7 +235,7 @@ void Bins::weigh(Workers& workers) {
     workers.for_columns(runs(), size(), [&](std::uint32_t i) {
         for (std::uint32_t k = run(i).begin; k < run(i).end; ++k)
             for (std::uint32_t bin = begin(k); bin < begin(k + 1); ++bin) {
-                const auto [length, width] = size_of(all_.weight_of(bins_[bin], block(k)));
+                const auto [length, width] = size_of(all_.weight_of(now_[bin], block(k)));
                 lengths_[bin] = length;
                 widths_[bin] = width;
             }

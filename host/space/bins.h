@@ -21,12 +21,12 @@ public:
     std::uint32_t blocks() const { return static_cast<std::uint32_t>(blocks_.size()); }
     std::uint32_t block(std::uint32_t i) const { return blocks_[i]; }
     std::uint32_t begin(std::uint32_t i) const { return begins_[i]; }
-    const Portion& operator[](std::size_t bin) const { return bins_[bin]; }
+    const Portion& operator[](std::size_t bin) const { return now_[bin]; }
 
     // Blocks are shared out to tasks in runs with about equally many bins.
     std::uint32_t runs() const { return static_cast<std::uint32_t>(run_begins_.size() - 1); }
     Span run(std::uint32_t i) const { return {run_begins_[i], run_begins_[i + 1]}; }
-    std::size_t size() const { return bins_.size(); }
+    std::size_t size() const { return now_.size(); }
 
     std::span<const std::uint32_t> lengths() const { return lengths_; }
     std::span<const std::uint32_t> widths() const { return widths_; }
@@ -43,7 +43,8 @@ private:
 
     const FirstBins& all_;
     std::uint64_t radius_squared_;
-    std::vector<Portion> bins_;
+    std::span<const Portion> now_;  // the first bins, or pieces_
+    std::vector<Portion> pieces_;
     // Of each bin, bits of the pieces that stay, and whether it is split into pieces.
     std::vector<std::uint16_t> kept_;
     static constexpr std::uint16_t kSplits = 256;

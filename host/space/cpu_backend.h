@@ -6,11 +6,8 @@
 
 #include "backends/backend.h"
 #include "plan/plan.h"
-#include "space/portion.h"
 
 namespace lacuna::space {
-
-using SpaceBackend = BackendOf<SpaceSample>;
 
 // `threads`: 0 for one for each core. Refers to the plan.
 std::unique_ptr<SpaceBackend> make_cpu_backend(const Plan& plan, std::uint32_t threads);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -20,16 +19,7 @@ using portable::Portion;
 using portable::Position;
 using portable::Solid;
 
-// What the marginal multiplies: together the weight, of which the highest 32 bits count.
-struct BinSize {
-    std::uint32_t length;
-    std::uint32_t width;
-};
-inline BinSize size_of(std::uint64_t weight) {
-    const auto bits = static_cast<unsigned>(std::bit_width(weight));
-    const unsigned shift = std::max(bits, 32U) - 32U;
-    return {static_cast<std::uint32_t>(weight >> shift), std::uint32_t{1} << shift};
-}
+using portable::size_of;
 
 // Coordinates begin at the lower corner of the box around the surface, or of the volume, whose
 // longest side has 2^30 units.
@@ -66,12 +56,13 @@ struct FirstBins {
     std::size_t blocks() const { return begins.size() - 1; }
 
     Solid cell(std::uint32_t block) const {
-        const Place place = place_of(block);
-        const auto cut = [&](std::size_t axis, std::int32_t more) {
-            const std::int64_t at = place[axis] + more;
-            return static_cast<std::int32_t>(sides[axis] * at / cells[axis]);
-        };
-        return {{cut(0, 0), cut(1, 0), cut(2, 0)}, {cut(0, 1), cut(1, 1), cut(2, 1)}, {}};
+        const Position counts = cell_counts();
+        return cell_at(sides_of_volume(), counts, place_of_cell(counts, block));
+    }
+    Position sides_of_volume() const { return {sides[0], sides[1], sides[2]}; }
+    Position cell_counts() const {
+        return {static_cast<std::int32_t>(cells[0]), static_cast<std::int32_t>(cells[1]),
+                static_cast<std::int32_t>(cells[2])};
     }
     std::uint64_t weight_of(const Portion& part, std::uint32_t block) const {
         if (!is_volume()) return weight_of_triangle(weights[part.third], part);
@@ -89,34 +80,12 @@ struct FirstBins {
                 visit(near[i], Position{0, 0, 0});
             return;
         }
-        const auto [x, y, z] = place_of(block);
-        for (std::int32_t k = -1; k <= 1; ++k)
-            for (std::int32_t j = -1; j <= 1; ++j)
-                for (std::int32_t i = -1; i <= 1; ++i) visit_cell({x + i, y + j, z + k}, visit);
-    }
-
-private:
-    using Place = std::array<std::int32_t, 3>;
-    Place place_of(std::uint32_t block) const {
-        return {static_cast<std::int32_t>(block % cells[0]),
-                static_cast<std::int32_t>(block / cells[0] % cells[1]),
-                static_cast<std::int32_t>(block / cells[0] / cells[1])};
-    }
-    template <typename Visit>
-    void visit_cell(Place place, const Visit& visit) const {
-        Place shift{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto count = static_cast<std::int32_t>(cells[axis]);
-            const std::int32_t over = place[axis] < 0 ? -1 : place[axis] >= count ? 1 : 0;
-            if (over != 0 && !wraps) return;
-            place[axis] -= over * count;
-            shift[axis] = over * sides[axis];
+        const Position counts = cell_counts(), place = place_of_cell(counts, block);
+        for (std::uint32_t which = 0; which < NEAR_CELLS; ++which) {
+            const portable::NearCell other =
+                near_cell(sides_of_volume(), counts, wraps, place, which);
+            if (other.exists) visit(other.number, other.shift);
         }
-        const auto [x, y, z] = place;
-        visit(
-            (static_cast<std::uint32_t>(z) * cells[1] + static_cast<std::uint32_t>(y)) * cells[0] +
-                static_cast<std::uint32_t>(x),
-            Position{shift[0], shift[1], shift[2]});
     }
 };
 

@@ -27,6 +27,16 @@ struct SpaceSample {
     }
 };
 
+// From three words: of a volume the position, of a surface the triangle and (u, v).
+inline SpaceSample sample_of_words(const FirstBins& all, std::uint32_t first, std::uint32_t second,
+                                   std::uint32_t third) {
+    if (all.is_volume()) {
+        const auto whole = [](std::uint32_t word) { return static_cast<std::int32_t>(word); };
+        return {{whole(first), whole(second), whole(third)}, 0, 0, 0};
+    }
+    return {portable::on_triangle(all.triangles[first], second, third), first, second, third};
+}
+
 // The third random number of a draw; the first chooses the bin.
 inline std::uint32_t third_bits(const Plan& plan, std::uint64_t number) {
     return static_cast<std::uint32_t>(random_bits(plan.seed, number, 1).first >> 32U);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,7 +15,7 @@
 #include "checks/space.h"
 #include "plan/sizes.h"
 #include "sampling/generate.h"
-#include "space/cpu_backend.h"
+#include "space/backends.h"
 #include "space/plan.h"
 #include "space/reference.h"
 #include "space/samples.h"
@@ -69,31 +70,20 @@ void append(const CheckedRequest& request, const Plan& plan,
     });
 }
 
-// Throws BadRequest and Unavailable.
-std::string backend_of(const RunOn& run_on) {
-    if (!run_on.device.empty())
-        throw BadRequest("device", run_on.device, "is for sets in the plane");
-    const std::string wanted = wanted_backend(run_on.backend);
-    if (wanted == "auto") return "cpu";
-    if (wanted == "cpu" || wanted == "reference") return wanted;
-    if (wanted == "opencl" || wanted == "vulkan")
-        throw Unavailable("backend " + wanted + ": makes sets in the plane alone");
-    throw no_such_backend(wanted);
-}
-
 // The first `most` points of a maximal set.
 SpaceResult sample_at(const CheckedRequest& request, double radius, std::uint64_t most,
                       Observer& observer) {
     const Plan plan = request.plan(radius, most);
     check_kept_distances(request, plan);
     SpaceResult result{.radius = radius};
-    result.backend = backend_of(request->run_on);
+    result.backend = backend_named(request->run_on);
+    const std::unique_ptr<SpaceBackend> backend =
+        make_backend(result.backend, plan, request->run_on, observer);
     OutcomeOf<SpaceSample> outcome;
-    if (result.backend == "reference") {
+    if (backend == nullptr) {
         outcome = reference_samples(plan, observer);
         result.device = "1 thread";
     } else {
-        const auto backend = make_cpu_backend(plan, request->run_on.threads);
         std::vector<SpaceSample> all;
         all.reserve(plan.expected_samples);
         outcome = generate<SpaceSample>(plan, *backend, observer,
@@ -161,7 +151,7 @@ SpaceResult sample_count(const CheckedRequest& request, Observer& observer) {
 SpaceResult sample(const SpaceRequest& request, Observer& observer) {
     Asked asked(observer, {0, request.count.value_or(request.limit.value_or(1)), 0});
     const CheckedRequest checked(request);
-    backend_of(request.run_on);  // refused before memory and time are spent on a plan
+    backend_named(request.run_on);  // refused before memory and time are spent on a plan
     return request.count ? sample_count(checked, asked)
                          : sample_at(checked, *request.radius,
                                      request.limit.value_or(~std::uint64_t{0}), asked);

@@ -110,6 +110,15 @@ PAIR(Visitor, u32, candidate, u32, next)
 // A sample in the list of a block, and the number of the list's next entry.
 FOUR(Neighbour, u32, x, u32, y, u32, radius, u32, next)
 
+// Space: a part of a solid, of a triangle (u, v, the triangle's number), of a box (i, j, k).
+// `shape` is the level, and SHAPE_FLIPPED if it is a flipped triangle: see space.h.
+FOUR(Portion, u32, first, u32, second, u32, third, u32, shape)
+// A corner of a triangle. The three corners follow each other; the first two have the low and the
+// high word of the triangle's weight.
+FOUR(Corner, i32, x, i32, y, i32, z, u32, weight)
+// A sample in the list of its block, and the number of the list's next entry.
+FOUR(Listed, i32, x, i32, y, i32, z, u32, next)
+
 // Relax: the host's Site has its weight in one number.
 FOUR(Site, u32, x, u32, y, u32, weight_low, u32, weight_high)
 // A rectangle that contains the sites of a node of their tree, and the least of their weights.

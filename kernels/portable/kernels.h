@@ -65,7 +65,8 @@ struct DrawArguments {
     u32 most_reach OR_ZERO;  // samples that reach farther wait for the next launch
     u32 is_listed OR_ZERO;   // 1: serve the candidates in `todo` or `survivors`; screen lists
                              // candidates, and insert marks new_cells
-    u32 room OR_ZERO;  // in reach: most visitors of blocks; in enlist: entries before the round
+    u32 room OR_ZERO;  // in reach: most visitors of blocks; in enlist: entries before the round;
+                       // in insert_in_space: samples before the round
     u32 first_node OR_ZERO;  // in reach: of the NODES_AT_ONCE to visit, or ALL_NODES
 };
 LACUNA_TYPEDEF(DrawArguments)
@@ -112,11 +113,12 @@ struct StripArguments {
     u32 boxes;
     u32 strip_bits;  // 0 if boxes are not halved
     u32 last_pass;
-    u32 block_bits;    // counts are summed in blocks of 2^block_bits boxes
-    u32 room;          // most new boxes
-    u32 first_recent;  // with lists: only samples from this entry on cut the boxes
-    u32 own_begin;     // boxes with x in [own_begin, own_begin + own_width) are cut;
-    u32 own_width;     // the others lie in the halo
+    u32 block_bits;              // counts are summed in blocks of 2^block_bits boxes
+    u32 room;                    // most new boxes
+    u32 first_recent;            // with lists: only samples from this entry on cut the boxes
+    u32 own_begin;               // boxes with x in [own_begin, own_begin + own_width) are cut;
+    u32 own_width;               // the others lie in the halo
+    u64 least_to_split OR_ZERO;  // in space: bins of less weight are not split
 };
 LACUNA_TYPEDEF(StripArguments)
 
@@ -250,6 +252,38 @@ LACUNA_END
     B(5, BOTH, Origin, new_origins)                                                             \
     B(6, WRITE, u32, results)
 
+// Surfaces and volumes. Samples are in lists, one for each block of bins: sample_heads[] has the
+// first, and listed[] all. blocks[] has the block of each bin.
+#define LOCATE_IN_SPACE_BINDINGS(B) B(0, READ, Portion, portions) B(1, READ, u32, blocks)       \
+    B(2, READ, Corner, corners) B(3, READ, u32, volume) B(4, READ, u32, near_begins)            \
+    B(5, READ, u32, near_blocks) B(6, READ, Draw, draws) B(7, READ, u32, third_bits)            \
+    B(8, WRITE, Candidate, candidates) B(9, WRITE, u32, heights) B(10, WRITE, u32, statuses)    \
+    B(11, SHARED, u32, report)
+#define SCREEN_IN_SPACE_BINDINGS(B) B(0, READ, Candidate, candidates) B(1, READ, u32, heights)  \
+    B(2, READ, u32, volume) B(3, READ, u32, near_begins) B(4, READ, u32, near_blocks)           \
+    B(5, READ, u32, sample_heads) B(6, READ, Listed, listed) B(7, BOTH, u32, statuses)          \
+    B(8, SHARED, u32, outcomes) B(9, SHARED, u32, report) B(10, SHARED, u32, cell_heads)        \
+    B(11, WRITE, u32, next_candidates)
+#define ADMIT_IN_SPACE_BINDINGS(B) B(0, READ, Candidate, candidates) B(1, READ, u32, heights)   \
+    B(2, READ, u32, volume) B(3, READ, u32, near_begins) B(4, READ, u32, near_blocks)           \
+    B(5, SHARED, u32, statuses) B(6, SHARED, u32, report) B(7, SHARED, u32, outcomes)           \
+    B(8, READ, u32, cell_heads) B(9, READ, u32, next_candidates)
+#define INSERT_IN_SPACE_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, Candidate, candidates) \
+    B(2, READ, u32, heights) B(3, READ, u32, statuses) B(4, WRITE, u32, cell_heads)             \
+    B(5, SHARED, u32, sample_heads) B(6, WRITE, Listed, listed)
+#define SPLIT_IN_SPACE_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, Portion, portions)      \
+    B(2, READ, u32, blocks) B(3, READ, Corner, corners) B(4, READ, u32, volume)                 \
+    B(5, READ, u32, near_begins) B(6, READ, u32, near_blocks) B(7, READ, u32, sample_heads)     \
+    B(8, READ, Listed, listed) B(9, WRITE, u32, kept_pieces) B(10, WRITE, u32, counts)
+#define KEEP_IN_SPACE_BINDINGS(B) B(0, SHARED, u32, report) B(1, READ, Portion, portions)       \
+    B(2, READ, u32, blocks) B(3, READ, Corner, corners) B(4, READ, u32, volume)                 \
+    B(5, READ, u32, near_begins) B(6, READ, u32, near_blocks) B(7, READ, u32, kept_pieces)      \
+    B(8, READ, u32, counts) B(9, READ, u32, sums) B(10, READ, u32, tops)                        \
+    B(11, WRITE, Portion, new_portions) B(12, WRITE, u32, new_blocks) B(13, WRITE, u32, results)
+#define LIST_SAMPLES_IN_SPACE_BINDINGS(B) LIST_SAMPLES_BINDINGS(B) B(8, READ, u32, heights)     \
+    B(9, READ, u32, volume) B(10, READ, Draw, draws) B(11, READ, Portion, portions)             \
+    B(12, READ, u32, near_begins) B(13, READ, u32, near_blocks)
+
 // All buffers. A kernel has the buffers that its bindings name.
 #define LACUNA_BUFFERS(B)                                                                       \
     B(Draw, draws) B(Candidate, located) B(u32, column_begins) B(u32, buckets)                  \
@@ -265,7 +299,10 @@ LACUNA_END
     B(Borders, borders) B(StripRadii, strip_radii) B(Box, tree_boxes) B(Links, tree_links)      \
     B(BlockNode, node_of) B(u32, visitor_heads) B(Visitor, visitors) B(u32, lists)              \
     B(Neighbour, entries) B(u32, survivors) B(Wide, factors) B(Ellipse, ellipses)                \
-    B(u32, open_parts)                                                                          \
+    B(u32, open_parts) B(Portion, portions) B(Portion, new_portions) B(u32, blocks)             \
+    B(u32, new_blocks) B(Corner, corners) B(u32, volume) B(u32, near_begins)                    \
+    B(u32, near_blocks) B(u32, sample_heads) B(Listed, listed) B(u32, heights)                  \
+    B(u32, third_bits) B(u32, kept_pieces)                                                      \
     LACUNA_RELAX_BUFFERS(B)
 
 // All kernels: name, arguments, bindings.
@@ -302,6 +339,13 @@ LACUNA_END
     K(cut_with_field, StripArguments, CUT_WITH_FIELD_BINDINGS)                                  \
     K(keep_with_field, StripArguments, KEEP_WITH_FIELD_BINDINGS)                                \
     K(measure, StripArguments, MEASURE_BINDINGS)                                                \
+    K(locate_in_space, DrawArguments, LOCATE_IN_SPACE_BINDINGS)                                 \
+    K(screen_in_space, DrawArguments, SCREEN_IN_SPACE_BINDINGS)                                 \
+    K(admit_in_space, DrawArguments, ADMIT_IN_SPACE_BINDINGS)                                   \
+    K(insert_in_space, DrawArguments, INSERT_IN_SPACE_BINDINGS)                                 \
+    K(split_in_space, StripArguments, SPLIT_IN_SPACE_BINDINGS)                                  \
+    K(keep_in_space, StripArguments, KEEP_IN_SPACE_BINDINGS)                                    \
+    K(list_samples_in_space, SampleArguments, LIST_SAMPLES_IN_SPACE_BINDINGS)                   \
     LACUNA_RELAX_KERNELS(K)
 // clang-format on
 

@@ -7,7 +7,7 @@
 // and it has the i-th, j-th and k-th of them. So a position is rounded once, whatever the level.
 #ifndef LACUNA_PORTABLE_SPACE_H
 #define LACUNA_PORTABLE_SPACE_H
-#include "types.h"
+#include "elements.h"
 
 LACUNA_BEGIN
 
@@ -26,16 +26,6 @@ struct Solid {
 };
 LACUNA_TYPEDEF(Solid)
 
-// A part of a solid: of a triangle (u, v, the triangle's number), of a box (i, j, k). `shape` is
-// the level, and SHAPE_FLIPPED if it is a flipped triangle.
-struct Portion {
-    u32 first;
-    u32 second;
-    u32 third;
-    u32 shape;
-};
-LACUNA_TYPEDEF(Portion)
-
 #define SHAPE_LEVEL 255u
 #define SHAPE_FLIPPED 256u
 #define LAST_LEVEL_OF_TRIANGLES 31u
@@ -53,6 +43,22 @@ LACUNA_FN Position moved(Position a, Position by) {
     position.y = a.y + by.y;
     position.z = a.z + by.z;
     return position;
+}
+
+// What the marginal multiplies: together the weight, of which the highest 32 bits count. Weights
+// are below 2^63.
+struct BinSize {
+    u32 along;
+    u32 across;
+};
+LACUNA_TYPEDEF(BinSize)
+
+LACUNA_FN BinSize size_of(u64 weight) {
+    u32 shift = 32u - leading_zeros(to_u32(weight >> 32));
+    BinSize size;
+    size.along = to_u32(weight >> shift);
+    size.across = 1u << shift;
+    return size;
 }
 
 // ------------------------------------------------------------------------------------ triangles
@@ -92,9 +98,9 @@ LACUNA_FN Position corner_of_triangle(Solid triangle, Portion part, u32 corner) 
 // Part 0 to 3 of a part that is no corner: the three at its corners, then the flipped one.
 LACUNA_FN Portion quarter(Portion part, u32 which) {
     Portion piece;
-    u32 half = side_in_steps(part.shape + 1u);
-    piece.first = part.first + ((which & 1u) != 0u ? half : 0u);
-    piece.second = part.second + (which >= 2u ? half : 0u);
+    u32 half_side = side_in_steps(part.shape + 1u);
+    piece.first = part.first + ((which & 1u) != 0u ? half_side : 0u);
+    piece.second = part.second + (which >= 2u ? half_side : 0u);
     piece.third = part.third;
     piece.shape = part.shape + 1u;
     if (which == 3u) piece.shape = piece.shape ^ SHAPE_FLIPPED;
@@ -195,6 +201,71 @@ LACUNA_FN u64 weight_of_box(Position low, Position high) {
     u64 area = x * y;
     u64 share = (area >> 28) * z + (((area & 268435455u) * z) >> 28);
     return share == 0u && area != 0u && z != 0u ? 1u : share;
+}
+
+// -------------------------------------------------------------------------------------- volumes
+//
+// A volume is cut into cells, which are numbered along x, then y, then z.
+
+LACUNA_FN Position place_of_cell(Position cells, u32 number) {
+    u32 columns = to_u32(cells.x);
+    u32 rows = to_u32(cells.y);
+    Position place;
+    place.x = to_i32(number % columns);
+    place.y = to_i32(number / columns % rows);
+    place.z = to_i32(number / columns / rows);
+    return place;
+}
+
+LACUNA_FN i32 begin_of_cell(i32 side, i32 cells, i32 at) {
+    return to_i32(to_u32(to_u64(to_i64(side) * to_i64(at) / to_i64(cells))));
+}
+
+LACUNA_FN Solid cell_at(Position sides, Position cells, Position place) {
+    Solid box;
+    box.a.x = begin_of_cell(sides.x, cells.x, place.x);
+    box.a.y = begin_of_cell(sides.y, cells.y, place.y);
+    box.a.z = begin_of_cell(sides.z, cells.z, place.z);
+    box.b.x = begin_of_cell(sides.x, cells.x, place.x + 1);
+    box.b.y = begin_of_cell(sides.y, cells.y, place.y + 1);
+    box.b.z = begin_of_cell(sides.z, cells.z, place.z + 1);
+    box.c = box.a;
+    return box;
+}
+
+// One of the 27 cells around a cell and itself. Beyond the edge of a torus it is a cell at the
+// other edge, whose samples are moved by `shift`.
+struct NearCell {
+    bool exists;
+    u32 number;
+    Position shift;
+};
+LACUNA_TYPEDEF(NearCell)
+
+#define NEAR_CELLS 27u
+
+LACUNA_FN i32 turns_beyond(i32 at, i32 cells) {
+    return at < 0 ? -1 : (at >= cells ? 1 : 0);
+}
+
+LACUNA_FN NearCell near_cell(Position sides, Position cells, bool wraps, Position place,
+                             u32 which) {
+    i32 x = place.x + to_i32(which % 3u) - 1;
+    i32 y = place.y + to_i32(which / 3u % 3u) - 1;
+    i32 z = place.z + to_i32(which / 9u) - 1;
+    i32 over_x = turns_beyond(x, cells.x);
+    i32 over_y = turns_beyond(y, cells.y);
+    i32 over_z = turns_beyond(z, cells.z);
+    NearCell near;
+    near.exists = wraps || (over_x == 0 && over_y == 0 && over_z == 0);
+    near.shift.x = over_x * sides.x;
+    near.shift.y = over_y * sides.y;
+    near.shift.z = over_z * sides.z;
+    x = x - over_x * cells.x;
+    y = y - over_y * cells.y;
+    z = z - over_z * cells.z;
+    near.number = (to_u32(z) * to_u32(cells.y) + to_u32(y)) * to_u32(cells.x) + to_u32(x);
+    return near;
 }
 
 LACUNA_END

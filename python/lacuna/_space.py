@@ -150,6 +150,7 @@ def sample_surface(
     seed: Seed = None,
     round_size: Whole = 0,
     backend: str = "auto",
+    device: int | str | None = None,
     threads: Whole = 0,
     memory_limit: Whole | None = None,
     progress: Progress | Literal[True] | None = None,
@@ -174,10 +175,8 @@ def sample_surface(
         Whether points may lie on each triangle.
     keep : array_like, shape (K, 3), optional
         Points that are there already; they come first.
-    limit, seed, round_size, threads, memory_limit, progress
+    limit, seed, round_size, backend, device, threads, memory_limit, progress
         As for ``sample``.
-    backend : str
-        'cpu', 'reference', or 'auto', which is the cpu.
 
     Returns
     -------
@@ -199,7 +198,7 @@ def sample_surface(
     """
     asked = options(
         radius=radius, n=n, limit=limit, seed=seed, round_size=round_size, backend=backend,
-        threads=threads, memory_limit=memory_limit,
+        device=device, threads=threads, memory_limit=memory_limit,
     )  # fmt: skip
     may = None
     if allowed is not None:
@@ -220,6 +219,7 @@ def sample_volume(
     seed: Seed = None,
     round_size: Whole = 0,
     backend: str = "auto",
+    device: int | str | None = None,
     threads: Whole = 0,
     memory_limit: Whole | None = None,
     progress: Progress | Literal[True] | None = None,
@@ -246,7 +246,7 @@ def sample_volume(
     """
     asked = options(
         radius=radius, n=n, torus=torus, limit=limit, seed=seed, round_size=round_size,
-        backend=backend, threads=threads, memory_limit=memory_limit,
+        backend=backend, device=device, threads=threads, memory_limit=memory_limit,
     )  # fmt: skip
     asked["volume"] = _sides(domain)
     return _made(progress, asked, keep, (None, None, None))

@@ -73,5 +73,6 @@ protected:
 std::unique_ptr<Bins> make_spans(RoundMemory& round, const Tuning& tuning);    // lines, exact
 std::unique_ptr<Bins> make_lattice(RoundMemory& round, const Tuning& tuning);  // cells
 std::unique_ptr<Bins> make_field_boxes(RoundMemory& round);  // exact with a radius field
+std::unique_ptr<Bins> make_portions(RoundMemory& round);     // surfaces and volumes
 
 }  // namespace lacuna::device

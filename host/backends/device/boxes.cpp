@@ -12,16 +12,7 @@ namespace {
 // Room for pieces beyond the expected number, which is seldom reached.
 constexpr std::uint32_t kSpareRoom = 1024;
 
-static_assert(sizeof(Box) == 4 * kWord);
-
 }  // namespace
-
-void Boxes::put(std::span<const Box> boxes, std::vector<std::uint32_t> sizes) {
-    count_ = static_cast<std::uint32_t>(boxes.size());
-    round_.put_in_room<Box>(round_.memory.boxes, boxes);
-    first_sizes_ = std::move(sizes);
-    sizes_ = first_sizes_;
-}
 
 std::vector<Box> Boxes::get() const {
     std::vector<Box> boxes(count_);
@@ -45,7 +36,8 @@ portable::StripArguments Boxes::arguments(std::uint32_t chunk) const {
             .room = refinement_->room,
             .first_recent = refinement_->first_recent,
             .own_begin = kind_.own.begin,
-            .own_width = kind_.own.end - kind_.own.begin};
+            .own_width = kind_.own.end - kind_.own.begin,
+            .least_to_split = least_to_split()};
 }
 
 void Boxes::refine(bool halve, std::uint32_t first_recent) {
@@ -53,13 +45,16 @@ void Boxes::refine(bool halve, std::uint32_t first_recent) {
     // Room for the largest number of boxes that is likely in any round: the number grows for some
     // rounds, and a driver clears new memory page by page.
     const std::uint64_t boxes = std::max<std::uint64_t>(count_, room_for_boxes(round_.plan));
-    round_.make_room(round_.memory.strip_pieces, 2 * boxes << strip_bits());
     make_room_to_scan(round_, boxes + portable::words_of_column(round_.draw_count));
     make_room_for_pieces();
     make_room_to_cut(boxes, halve);
     queue_cut(halve);
     round_.count_samples(listing());
     keep();
+}
+
+void Boxes::make_room_to_cut(std::uint64_t boxes, bool) {
+    round_.make_room(round_.memory.strip_pieces, 2 * boxes << strip_bits());
 }
 
 RoundMemory::Listing Boxes::listing() const {
@@ -72,14 +67,14 @@ RoundMemory::Listing Boxes::listing() const {
 void Boxes::make_room_for_pieces() {
     const std::uint64_t room =
         std::max<std::uint64_t>(refinement_->room, room_for_boxes(round_.plan));
-    round_.make_room(round_.memory.new_boxes, 4 * room);
+    round_.make_room(round_.memory.*kind_.new_boxes, 4 * room);
     make_room_to_keep(room);
     round_.make_room_for_listing({count_, kind_.words_of_bin, 0, static_cast<std::uint32_t>(room)});
 }
 
 void Boxes::keep() {
     queue_keep();
-    round_.list_samples(listing());
+    list_samples(listing());
     queue_last();
 }
 
@@ -96,7 +91,7 @@ void Boxes::download() {
 }
 
 void Boxes::end_round() {
-    std::swap(round_.memory.boxes, round_.memory.new_boxes);
+    std::swap(round_.memory.*kind_.boxes, round_.memory.*kind_.new_boxes);
     refinement_.reset();
     count_ = round_.new_boxes();
 }

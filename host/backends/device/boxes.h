@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "backends/backend.h"
@@ -44,16 +45,26 @@ protected:
         std::uint32_t strip_bits;    // a halved box is cut into at most 2^strip_bits strips
         std::uint32_t words_of_bin;  // of results[], for each new box
         Span own;                    // boxes with x in it are cut
+        // Where the boxes lie, four words each, and those that a refinement makes.
+        Buffer Memory::*boxes = &Memory::boxes;
+        Buffer Memory::*new_boxes = &Memory::new_boxes;
     };
     Boxes(RoundMemory& round, Kind kind) : round_(round), kind_(kind) {}
 
     // Replaces the boxes, and what results[] had of them. Waits.
-    void put(std::span<const Box> boxes, std::vector<std::uint32_t> sizes);
+    template <typename Bin>
+    void put(std::span<const Bin> boxes, std::vector<std::uint32_t> sizes) {
+        static_assert(sizeof(Bin) == 4 * kWord);
+        count_ = static_cast<std::uint32_t>(boxes.size());
+        round_.put_in_room<Bin>(round_.memory.*kind_.boxes, boxes);
+        first_sizes_ = std::move(sizes);
+        sizes_ = first_sizes_;
+    }
 
     // How many more boxes than now a refinement is likely to leave.
     virtual std::uint32_t more_boxes(bool halve) const = 0;
-    // Makes room for what cut writes of `boxes` boxes besides their pieces, and keep of `room`.
-    virtual void make_room_to_cut(std::uint64_t boxes, bool halve) = 0;
+    // Makes room for what cut writes of `boxes` boxes, and keep of `room` besides the boxes.
+    virtual void make_room_to_cut(std::uint64_t boxes, bool halve);
     virtual void make_room_to_keep(std::uint64_t room) = 0;
     virtual void queue_cut(bool halve) = 0;
     // Writes the pieces, and what results[] has of them.
@@ -88,6 +99,10 @@ protected:
 
 private:
     portable::StripArguments arguments(std::uint32_t chunk) const;
+    // In space: bins of less weight are not split.
+    virtual std::uint64_t least_to_split() const { return 0; }
+    // Queues listing the round's samples behind the boxes.
+    virtual void list_samples(RoundMemory::Listing listing) { round_.list_samples(listing); }
     RoundMemory::Listing listing() const;
     void make_room_for_pieces();
     void keep();
@@ -110,7 +125,6 @@ public:
 
 private:
     std::uint32_t more_boxes(bool) const override { return 0; }
-    void make_room_to_cut(std::uint64_t, bool) override {}
     void make_room_to_keep(std::uint64_t) override {}
     void queue_cut(bool halve) override;
     void queue_keep() override;

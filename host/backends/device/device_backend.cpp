@@ -1,9 +1,11 @@
 // The backend of every device: queues verbs, and repeats them until all draws are decided and fit.
 #include "backends/device/device_backend.h"
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "backends/device/bins.h"
 #include "backends/device/round_memory.h"
 #include "portable/status.h"
+#include "space/portion.h"
 
 namespace lacuna::device {
 namespace {
@@ -87,10 +90,19 @@ public:
     Round finish_round() override {
         finish();
         if (round_.plan.tells_orders) round_.find_orders(orders_);
-        return {round_.samples(), round_.survivors(), bins_->free_lengths(),
-                bins_->width(),   bins_->widths(),    orders_,
-                bins_->begins(),  bins_->copy_ends()};
+        return {round_.plan.is_space() ? std::span<const Sample>() : round_.samples<Sample>(),
+                round_.survivors(),
+                bins_->free_lengths(),
+                bins_->width(),
+                bins_->widths(),
+                orders_,
+                bins_->begins(),
+                bins_->copy_ends()};
     }
+    // In space finish_round has none; these are valid as long as its results.
+    using SpaceWords = std::array<std::uint32_t, 3>;
+    std::span<const SpaceWords> samples_in_space() const { return round_.samples<SpaceWords>(); }
+
     std::vector<Candidate> located() override {
         settle();
         return round_.candidates();
@@ -133,6 +145,7 @@ private:
     }
 
     std::unique_ptr<Bins> make_bins(const Tuning& tuning) {
+        if (round_.plan.is_space()) return make_portions(round_);
         if (round_.plan.has_radius_field()) return make_field_boxes(round_);
         return round_.plan.is_cells() ? make_lattice(round_, tuning) : make_spans(round_, tuning);
     }
@@ -253,13 +266,58 @@ private:
     Stage stage_ = Stage::none;
 };
 
+// The backend in space: bins and samples have three coordinates.
+class DeviceInSpace : public space::SpaceBackend {
+public:
+    DeviceInSpace(std::unique_ptr<Queue> queue, const Plan& plan, std::uint32_t threads)
+        : all_(*plan.space().first_bins), backend_(std::move(queue), plan, threads, {}) {}
+
+    std::string device() const override { return backend_.device(); }
+    Work work() const override { return backend_.work(); }
+    Workers& workers() override { return backend_.workers(); }
+    void time_verbs() override { backend_.time_verbs(); }
+    void watch(std::function<bool()> may_go_on) override { backend_.watch(std::move(may_go_on)); }
+    std::span<Draw> room_for_draws(std::size_t count) override {
+        return backend_.room_for_draws(count);
+    }
+    void locate(std::span<const Draw> draws) override { backend_.locate(draws); }
+    void admit() override { backend_.admit(); }
+    void subtract() override { backend_.subtract(); }
+    void refine(bool halve) override { backend_.refine(halve); }
+    RoundOf<space::SpaceSample> finish_round() override {
+        const Round round = backend_.finish_round();
+        samples_.clear();
+        for (const auto& [first, second, third] : backend_.samples_in_space())
+            samples_.push_back(space::sample_of_words(all_, first, second, third));
+        return {.samples = samples_,
+                .survivors = round.survivors,
+                .free_lengths = round.free_lengths,
+                .bin_width = round.bin_width,
+                .bin_widths = round.bin_widths};
+    }
+
+private:
+    const space::FirstBins& all_;
+    DeviceBackend backend_;
+    std::vector<space::SpaceSample> samples_;  // of the round
+};
+
+std::unique_ptr<Queue> checked(std::unique_ptr<Queue> queue, const Plan& plan) {
+    const DeviceEntry& device = queue->device();
+    refuse_if_too_large(device.name, plan, device.memory_bytes, device.largest_buffer_bytes);
+    return queue;
+}
+
 }  // namespace
 
 std::unique_ptr<Backend> make_backend(std::unique_ptr<Queue> queue, const Plan& plan,
                                       std::uint32_t threads, const Tuning& tuning) {
-    const DeviceEntry& device = queue->device();
-    refuse_if_too_large(device.name, plan, device.memory_bytes, device.largest_buffer_bytes);
-    return std::make_unique<DeviceBackend>(std::move(queue), plan, threads, tuning);
+    return std::make_unique<DeviceBackend>(checked(std::move(queue), plan), plan, threads, tuning);
+}
+
+std::unique_ptr<space::SpaceBackend> make_space_backend(std::unique_ptr<Queue> queue,
+                                                        const Plan& plan, std::uint32_t threads) {
+    return std::make_unique<DeviceInSpace>(checked(std::move(queue), plan), plan, threads);
 }
 
 }  // namespace lacuna::device

@@ -16,4 +16,8 @@ namespace lacuna::device {
 std::unique_ptr<Backend> make_backend(std::unique_ptr<Queue> queue, const Plan& plan,
                                       std::uint32_t threads, const Tuning& tuning);
 
+// The same for surfaces and volumes.
+std::unique_ptr<space::SpaceBackend> make_space_backend(std::unique_ptr<Queue> queue,
+                                                        const Plan& plan, std::uint32_t threads);
+
 }  // namespace lacuna::device

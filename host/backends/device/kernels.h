@@ -67,7 +67,7 @@ static_assert(sizeof(portable::Geometry) == 72 && offsetof(portable::DrawArgumen
 static_assert(offsetof(portable::DrawArguments, first) == 80 &&
               offsetof(portable::DrawArguments, room) == 120 &&
               offsetof(portable::SlabArguments, tile_height) == 124 &&
-              offsetof(portable::StripArguments, own_width) == 108 &&
+              offsetof(portable::StripArguments, least_to_split) == 112 &&
               offsetof(portable::ColumnArguments, room) == 80);
 
 template <typename Kernel>

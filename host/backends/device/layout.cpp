@@ -14,6 +14,7 @@
 #include "portable/bits.h"
 #include "portable/status.h"
 #include "rounds/round_policy.h"
+#include "space/first_bins.h"
 
 namespace lacuna::device {
 
@@ -216,7 +217,37 @@ Needs needs_of_field(const Plan& plan, std::uint64_t round) {
             std::max({radii, mask, ellipses, entries, boxes * 32, round * 10 * 8})};
 }
 
+// In space, bytes of a draw: itself, candidate; height, status, next candidate, third number; its
+// sample. Of a bin: itself and its block, before and after a round; its pieces, their count and
+// what the host has of it. Of a block: its lists. Of a triangle: three corners.
+constexpr std::uint64_t kSpaceBytesPerDraw = 32 + 16 + 12;
+constexpr std::uint64_t kSpaceBytesPerBin = 2 * (16 + 4) + 2 * 4 + 8;
+constexpr std::uint64_t kBytesPerTriangle = 3 * 16;
+// The most bins for each sample that have been seen, and draws of a round: as many as there are
+// samples before a round, and draws, there is room for in their lists.
+struct MostInSpace {
+    double bins;
+    std::uint64_t entries;
+};
+constexpr MostInSpace kMostOnSurface{6, 4};
+constexpr MostInSpace kMostInVolume{15, 8};
+
+MostInSpace most_in_space(const Plan& plan) {
+    return plan.space().first_bins->is_volume() ? kMostInVolume : kMostOnSurface;
+}
+
+Needs needs_of_space(const Plan& plan, std::uint64_t round) {
+    const space::FirstBins& first = *plan.space().first_bins;
+    const std::uint64_t bins = room_for_boxes(plan);
+    const std::uint64_t samples = room_for_entries(plan) * kBytesPerEntry;
+    const std::uint64_t triangles = first.triangles.size() * kBytesPerTriangle;
+    const std::uint64_t near = (first.near.size() + 3 * first.blocks()) * sizeof(std::uint32_t);
+    return {bins * kSpaceBytesPerBin + samples + triangles + near + round * kSpaceBytesPerDraw,
+            std::max({bins * 16, samples, triangles, near, round * 16})};
+}
+
 Needs needs_of(const Plan& plan, std::uint64_t round) {
+    if (plan.is_space()) return needs_of_space(plan, round);
     if (plan.has_radius_field()) return needs_of_field(plan, round);
     return plan.is_cells() ? needs_of_cells(plan, round) : needs_of_lines(plan, round);
 }
@@ -224,12 +255,16 @@ Needs needs_of(const Plan& plan, std::uint64_t round) {
 }  // namespace
 
 std::uint64_t room_for_boxes(const Plan& plan) {
-    const double of_sample = plan.has_radius_field() ? kFieldBoxesPerSample : kBoxesPerSample;
+    const double of_sample = plan.is_space()           ? most_in_space(plan).bins
+                             : plan.has_radius_field() ? kFieldBoxesPerSample
+                                                       : kBoxesPerSample;
     return static_cast<std::uint64_t>(of_sample * static_cast<double>(plan.expected_samples));
 }
 
 std::uint64_t room_for_entries(const Plan& plan) {
-    return kEntriesPerSample * plan.expected_samples;
+    const std::uint64_t of_sample =
+        plan.is_space() ? most_in_space(plan).entries : kEntriesPerSample;
+    return of_sample * plan.expected_samples;
 }
 
 void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint64_t memory_bytes,

@@ -82,9 +82,9 @@ Packed pack(const Slab& slab, Tiles tiles, const Snapshot& snapshot);
 void unpack(const Slab& slab, Tiles tiles, std::span<const Span> slots,
             std::span<const std::uint32_t> span_counts, Snapshot& snapshot);
 
-// The number of active boxes that there is room for, and of entries of neighbour lists with a
-// radius field. Sets of a million samples and more have 0.45 to 0.5 boxes a sample with one radius;
-// with a radius field 2.2 to 2.5, and 2.1 to 2.7 entries.
+// The number of active boxes, or in space of bins, that there is room for, and of entries of
+// neighbour lists. Sets of a million samples and more have 0.45 to 0.5 boxes a sample with one
+// radius; with a radius field 2.2 to 2.5, and 2.1 to 2.7 entries.
 std::uint64_t room_for_boxes(const Plan& plan);
 std::uint64_t room_for_entries(const Plan& plan);
 

@@ -31,6 +31,7 @@ void ListBoxes::put(std::span<const Box> boxes, std::span<const std::uint32_t> o
 }
 
 void ListBoxes::make_room_to_cut(std::uint64_t boxes, bool halve) {
+    Boxes::make_room_to_cut(boxes, halve);
     round_.make_room(round_.memory.borders, halve ? 4 * boxes : 0);
     round_.make_room(round_.memory.strip_radii, halve ? 4 * boxes : 0);
 }

@@ -149,21 +149,9 @@ void NeighbourLists::list_visitors() {
         round_.start_download();
         round_.queue.wait();
     } while (round_.report[VISITORS_WORD] > room);
-    make_room_for_entries(std::uint64_t{entries()} + round_.report[VISITORS_WORD]);
+    round_.grow(m.entries, 4 * std::uint64_t{entries()},
+                4 * (std::uint64_t{entries()} + round_.report[VISITORS_WORD]));
     listed_ = Listed::visitors;
-}
-
-// Keeps the entries. Makes room for half as many again, if the device allows it.
-void NeighbourLists::make_room_for_entries(std::uint64_t count) {
-    Buffer& buffer = round_.memory.entries;
-    if (4 * count <= buffer.words()) return;
-    std::vector<std::uint32_t> words(4 * std::size_t{entries()});
-    round_.get<std::uint32_t>(buffer, words);
-    round_.queue.wait();
-    const std::uint64_t most = round_.queue.device().largest_buffer_bytes / (4 * kWord);
-    round_.make_room(buffer, 4 * std::max(count, std::min(count + count / 2, most)));
-    round_.put<std::uint32_t>(buffer, words);
-    round_.queue.wait();
 }
 
 void NeighbourLists::end_round() {

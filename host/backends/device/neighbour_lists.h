@@ -43,7 +43,6 @@ private:
     std::uint32_t entries() const { return entries_before_ + round_.report[ENTRIES_WORD]; }
     bool may_visit_many() const;
     void make_tree();
-    void make_room_for_entries(std::uint64_t count);
 
     RoundMemory& round_;
     const FirstBoxes& first_;

@@ -45,6 +45,17 @@ void RoundMemory::make_room(Buffer& buffer, std::uint64_t words) const {
     buffer = queue.make(bytes);
 }
 
+void RoundMemory::grow(Buffer& buffer, std::uint64_t kept_words, std::uint64_t words) {
+    if (words <= buffer.words()) return;
+    std::vector<std::uint32_t> kept(kept_words);
+    get<std::uint32_t>(buffer, kept);
+    queue.wait();
+    const std::uint64_t most = queue.device().largest_buffer_bytes / (4 * kWord) * 4;
+    make_room(buffer, std::max(words, std::min(words + words / 2, most)));
+    put<std::uint32_t>(buffer, kept);
+    queue.wait();
+}
+
 Buffer RoundMemory::copy_of(std::span<const std::uint32_t> words) {
     Buffer copy;
     make_room(copy, words.size());
@@ -131,7 +142,8 @@ void RoundMemory::make_room_for_listing(Listing listing) {
     make_room_to_scan(*this,
                       std::uint64_t{listing.counts_before} + portable::words_of_column(draw_count));
     const std::uint64_t bins = listing.bins == 0 ? listing.room : listing.bins;
-    make_room(memory.results, listing.words_of_bin * bins + 2 * std::uint64_t{draw_count});
+    make_room(memory.results,
+              listing.words_of_bin * bins + words_of_sample() * std::uint64_t{draw_count});
 }
 
 portable::SampleArguments RoundMemory::arguments_of(Listing listing, std::uint32_t amount) const {
@@ -154,15 +166,8 @@ void RoundMemory::count_samples(Listing listing) {
     scan(queue, memory, listing.counts_before + words);
 }
 
-void RoundMemory::list_samples(Listing listing) {
-    const portable::SampleArguments arguments = arguments_of(listing, draw_count);
-    launch<kernels::list_samples>(queue, memory, arguments, items_of(draw_count, arguments.chunk),
-                                  arguments.chunk);
-}
-
 std::span<const std::uint32_t> RoundMemory::download_results(std::size_t words_of_bins) {
-    static_assert(sizeof(Sample) == 2 * kWord);
-    const std::size_t words = words_of_bins + 2 * std::size_t{report[SAMPLES_WORD]};
+    const std::size_t words = words_of_bins + words_of_sample() * std::size_t{report[SAMPLES_WORD]};
     HostMemory& results = words_of_bins == 0 ? samples_alone_ : results_;
     if (results.bytes() < words * kWord) {
         results = {};  // frees the old memory first
@@ -170,7 +175,8 @@ std::span<const std::uint32_t> RoundMemory::download_results(std::size_t words_o
     }
     const std::span<std::uint32_t> all = results.values<std::uint32_t>(words);
     get(memory.results, all);
-    samples_ = results.values<const Sample>(report[SAMPLES_WORD], words_of_bins * kWord);
+    samples_in_ = &results;
+    samples_begin_ = words_of_bins * kWord;
     return all.first(words_of_bins);
 }
 

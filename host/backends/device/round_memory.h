@@ -67,13 +67,24 @@ struct RoundMemory {
     // Makes room in counts[] and results[] for what these commands write.
     void make_room_for_listing(Listing listing);
     void count_samples(Listing listing);
-    void list_samples(Listing listing);
+    template <typename Kernel = kernels::list_samples>
+    void list_samples(Listing listing) {
+        const portable::SampleArguments arguments = arguments_of(listing, draw_count);
+        launch<Kernel>(queue, memory, arguments, items_of(draw_count, arguments.chunk),
+                       arguments.chunk);
+    }
     // The number of new boxes that were counted.
     std::uint32_t new_boxes() const { return report[TOTAL_WORD] - report[SAMPLES_WORD]; }
     // Queues the download of the first words_of_bins words of results[], which it returns, and of
     // the samples after them. The wait fills in both. They are valid until the next call.
     std::span<const std::uint32_t> download_results(std::size_t words_of_bins);
-    std::span<const Sample> samples() const { return samples_; }
+    // The samples, as many words each as words_of_sample.
+    template <typename Words>
+    std::span<const Words> samples() const {
+        if (samples_in_ == nullptr) return {};
+        return samples_in_->values<const Words>(report[SAMPLES_WORD], samples_begin_);
+    }
+    std::uint32_t words_of_sample() const { return plan.is_space() ? 3 : 2; }
     // Lists the orders of the samples' draws. Waits.
     void find_orders(std::vector<std::uint32_t>& orders);
     // The number of draws that no sample of an earlier round covers.
@@ -120,6 +131,10 @@ struct RoundMemory {
     }
     // Makes room for at least `words` words. The old content is lost if there was less room.
     void make_room(Buffer& buffer, std::uint64_t words) const;
+    // Makes room for at least `words` words of four-word elements, and keeps the first
+    // `kept_words`. If there was less room, it becomes half as large again, if the device allows
+    // it. Waits then.
+    void grow(Buffer& buffer, std::uint64_t kept_words, std::uint64_t words);
     // Makes room, and uploads `from`, then zeros up to the buffer's end: Oclgrind regards what
     // kernels write past the last upload as uninitialized. Waits.
     template <typename T>
@@ -162,8 +177,10 @@ private:
     std::span<const Draw> draws_;  // part by part
     bool has_more_passes_ = false;
     HostMemory results_;
-    HostMemory samples_alone_;         // so that the bins in results_ stay
-    std::span<const Sample> samples_;  // in one of them
+    HostMemory samples_alone_;  // so that the bins in results_ stay
+    // The one of them that has the samples, from this byte on.
+    const HostMemory* samples_in_ = nullptr;
+    std::size_t samples_begin_ = 0;
 };
 
 }  // namespace lacuna::device

@@ -15,6 +15,12 @@ std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placeme
     return device::make_backend(open_queue(placement, trial), plan, placement.threads, tuning);
 }
 
+std::unique_ptr<space::SpaceBackend> make_space_backend(const Plan& plan,
+                                                        const Placement& placement,
+                                                        const Trial& trial) {
+    return device::make_space_backend(open_queue(placement, trial), plan, placement.threads);
+}
+
 std::unique_ptr<device::Queue> open_queue(const Placement& placement, const Trial& trial) {
     return make_queue(kept_device(placement.device), trial.sources);
 }

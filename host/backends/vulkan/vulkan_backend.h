@@ -32,6 +32,9 @@ struct Trial {
 };
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement,
                                       const device::Tuning& tuning, const Trial& trial = {});
+std::unique_ptr<space::SpaceBackend> make_space_backend(const Plan& plan,
+                                                        const Placement& placement,
+                                                        const Trial& trial = {});
 std::unique_ptr<device::Queue> open_queue(const Placement& placement, const Trial& trial = {});
 
 }  // namespace lacuna::vulkan

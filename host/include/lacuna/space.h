@@ -14,7 +14,8 @@
 //   - The set is distributed as if darts were thrown, evenly by area or volume, until no room is
 //     left. On a surface that is flat compared with the radius there are about 0.697 * area /
 //     radius^2 points; in a volume on a torus 0.734 * volume / radius^3.
-//   - The same request and seed give the same points, bit for bit, with any number of threads.
+//   - The same request and seed give the same points, bit for bit, on every backend and with any
+//     number of threads.
 //   - Points come in the order in which they were admitted, after those that were kept.
 #pragma once
 
@@ -75,7 +76,7 @@ struct SpaceRequest {
     std::optional<std::uint64_t> limit{};  // stop after this many points, >= 1
     std::uint64_t seed = 0;                // sets of different seeds are independent
     std::uint64_t round_size = 0;          // draws in a round; 0: automatic
-    RunOn run_on = RunOn();                // on the backends cpu and reference
+    RunOn run_on = RunOn();
 };
 
 struct SpaceResult {

@@ -1,5 +1,6 @@
 // The body of list_samples: writes the samples of the round in the order of their draws, after what
-// results[] has of the bins. Does nothing while a draw is undecided.
+// results[] has of the bins. Does nothing while a draw is undecided. Comes after a file that has
+// write_sample().
 #include "bodies/common/sums.h"
 
 BODY void serve_list_samples(MEMORY const SampleArguments a, const u32 item) {
@@ -16,7 +17,6 @@ BODY void serve_list_samples(MEMORY const SampleArguments a, const u32 item) {
         const u32 below = (1u << admitted.order % 32u) - 1u;
         const u32 rank = sum_before(ON a.counts_before + word, a.block_bits) - bins +
                          count_bits(AT(outcomes, word) & below);
-        AT(results, first + 2u * rank) = admitted.x;
-        AT(results, first + 2u * rank + 1u) = admitted.y;
+        write_sample(ON first + SAMPLE_WORDS * rank, i, admitted);
     }
 }

@@ -128,12 +128,6 @@ vulkan::Trial faulty_shaders(const Fault& fault) {
 }
 #endif
 
-struct SomeRounds : Observer {
-    explicit SomeRounds(std::uint64_t most) : most_(most) {}
-    bool keep_going(const Progress& progress) override { return progress.rounds <= most_; }
-    std::uint64_t most_;
-};
-
 }  // namespace
 
 void OnFaultyBackend::SetUp() {
@@ -154,6 +148,18 @@ std::unique_ptr<Backend> make_faulty(const std::string& backend, [[maybe_unused]
     throw Unavailable("backend " + backend + ": this build was made without it");
 }
 
+std::unique_ptr<space::SpaceBackend> make_faulty_in_space(const std::string& backend,
+                                                          [[maybe_unused]] const Plan& plan,
+                                                          [[maybe_unused]] const Fault& fault) {
+#ifdef LACUNA_OPENCL
+    if (backend == "opencl") return opencl::make_space_backend(plan, {}, faulty_kernels(fault));
+#endif
+#ifdef LACUNA_VULKAN
+    if (backend == "vulkan") return vulkan::make_space_backend(plan, {}, faulty_shaders(fault));
+#endif
+    throw Unavailable("backend " + backend + ": this build was made without it");
+}
+
 std::unique_ptr<device::Queue> open_faulty_queue(const std::string& backend,
                                                  [[maybe_unused]] const Fault& fault) {
 #ifdef LACUNA_OPENCL
@@ -163,15 +169,6 @@ std::unique_ptr<device::Queue> open_faulty_queue(const std::string& backend,
     if (backend == "vulkan") return vulkan::open_queue({}, faulty_shaders(fault));
 #endif
     throw Unavailable("backend " + backend + ": this build was made without it");
-}
-
-Outcome run_rounds(const Plan& plan, Backend& backend, std::uint64_t most) {
-    SomeRounds observer(most);
-    try {
-        return generate(plan, backend, observer);
-    } catch (const Cancelled&) {
-        return {};
-    }
 }
 
 Outcome run_on_cpu(const Plan& plan) {

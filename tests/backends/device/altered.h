@@ -3,7 +3,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "backends/available.h"
 #include "backends/backend.h"
@@ -34,12 +37,37 @@ protected:
 std::unique_ptr<Backend> make_faulty(const std::string& backend, const Plan& plan,
                                      const Fault& fault, const device::Tuning& tuning = {});
 
+// The same on surfaces and in volumes.
+std::unique_ptr<space::SpaceBackend> make_faulty_in_space(const std::string& backend,
+                                                          const Plan& plan, const Fault& fault);
+
 // The same for the kernels of relax.
 std::unique_ptr<device::Queue> open_faulty_queue(const std::string& backend, const Fault& fault);
 
-// The outcome is empty if a set takes more than `most` rounds: wrong kernels may never end.
 inline constexpr std::uint64_t kMostRounds = 30;
-Outcome run_rounds(const Plan& plan, Backend& backend, std::uint64_t most = kMostRounds);
+struct SomeRounds : Observer {
+    explicit SomeRounds(std::uint64_t most) : most_(most) {}
+    bool keep_going(const Progress& progress) override { return progress.rounds <= most_; }
+    std::uint64_t most_;
+};
+
+// The outcome is empty if a set takes more than `most` rounds: wrong kernels may never end.
+template <typename Placed>
+OutcomeOf<Placed> run_rounds(const Plan& plan, BackendOf<Placed>& backend,
+                             std::uint64_t most = kMostRounds) {
+    SomeRounds observer(most);
+    std::vector<Placed> all;
+    const auto keep = [&](std::span<const Placed> samples) {
+        all.insert(all.end(), samples.begin(), samples.end());
+    };
+    try {
+        OutcomeOf<Placed> outcome = generate<Placed>(plan, backend, observer, keep);
+        outcome.samples = std::move(all);
+        return outcome;
+    } catch (const Cancelled&) {
+        return {};
+    }
+}
 Outcome run_on_cpu(const Plan& plan);
 
 }  // namespace lacuna::tests

@@ -10,6 +10,10 @@
 #include "backends/device/altered.h"
 #include "backends/radius_field_requests.h"
 #include "backends/scenes.h"
+#include "space/cpu_backend.h"
+#include "space/meshes.h"
+#include "space/plan.h"
+#include "space/portion.h"
 
 namespace lacuna {
 namespace {
@@ -24,14 +28,28 @@ protected:
     // range: oclgrind --build-options -cl-opt-disable device_test --gtest_filter='*Faults*/opencl'.
     void expect_noticed(const Plan& plan, const std::vector<Fault>& faults,
                         const device::Tuning& tuning = {}) {
-        const Outcome on_cpu = tests::run_on_cpu(plan);
+        expect_noticed(plan, tests::run_on_cpu(plan), faults, [&](const Fault& fault) {
+            return tests::make_faulty(GetParam(), plan, fault, tuning);
+        });
+    }
+    void expect_noticed_in_space(const SpaceRequest& request, const std::vector<Fault>& faults) {
+        const Plan plan = space::CheckedRequest(request).plan(*request.radius, *request.limit);
+        const OutcomeOf<space::SpaceSample> on_cpu =
+            tests::run_rounds(plan, *space::make_cpu_backend(plan, 1));
+        expect_noticed(plan, on_cpu, faults, [&](const Fault& fault) {
+            return tests::make_faulty_in_space(GetParam(), plan, fault);
+        });
+    }
+    template <typename Placed, typename Make>
+    void expect_noticed(const Plan& plan, const OutcomeOf<Placed>& on_cpu,
+                        const std::vector<Fault>& faults, const Make& make_faulty) {
         ASSERT_LE(on_cpu.rounds, tests::kMostRounds);
-        const std::vector<Sample>& right = on_cpu.samples;
-        ASSERT_FALSE(right.empty());
+        ASSERT_FALSE(on_cpu.samples.empty());
         for (const Fault& fault : faults) {
-            const auto faulty = tests::make_faulty(GetParam(), plan, fault, tuning);
+            const auto faulty = make_faulty(fault);
             try {
-                EXPECT_TRUE(tests::run_rounds(plan, *faulty, on_cpu.rounds).samples != right)
+                EXPECT_TRUE(tests::run_rounds(plan, *faulty, on_cpu.rounds).samples !=
+                            on_cpu.samples)
                     << fault.file << ": " << fault.from << " became " << fault.to;
             } catch (const DeviceError&) {
             } catch (const Unavailable&) {  // wrong sums ask for too much memory
@@ -302,6 +320,52 @@ TEST_P(Faults, InPiecesOfBoxesWithARadiusFieldAreNoticed) {
                    {{"bodies/exact/pieces.h", "end = chord_begin > begin ? chord_begin : end;", ""},
                     {"bodies/exact/pieces.h", "begin = chord_begin <= begin ? chord_end :",
                      "begin = chord_begin <= begin ? pieces.high :"}});
+}
+
+// The last samples are left out, as in exact.
+TEST_P(Faults, OnSurfacesAreNoticed) {
+    const Mesh mesh = tests::soup(12, 2);
+    expect_noticed_in_space(
+        {.mesh = &mesh, .radius = 0.06, .limit = 180, .seed = 6},
+        {{"bodies/space/around.h", "near_begins, block + 1u", "near_begins, block"},
+         {"bodies/space/around.h", "around.begin + which", "around.begin"},
+         {"bodies/space/covered_in_space.h", "return true;", "return false;"},
+         {"bodies/space/covered_in_space.h", "ATOMIC_SET(cell_heads, block, i)", "NO_SAMPLE"},
+         {"bodies/space/decide_in_space.h", "other.order >= candidate.order",
+          "other.order <= candidate.order"},
+         {"bodies/space/decide_in_space.h", "(waits ?", "(false ?"},
+         {"bodies/space/insert_in_space.h", "to_i32(AT(heights, i))", "to_i32(candidate.x)"},
+         {"bodies/space/solid.h", "low + (high << 32)", "low"},
+         {"bodies/space/solid.h", "return quarter(part, which);", "return quarter(part, 0u);"},
+         {"bodies/space/split_in_space.h", "covered | 8u", "covered | 7u"},
+         {"bodies/space/split_in_space.h", ">= a.least_to_split", ">= 0u"},
+         {"bodies/space/keep_in_space.h", "AT(new_blocks, to) = block", "AT(new_blocks, to) = 0u"},
+         {"bodies/space/keep_in_space.h", "pieces + to) = size.across", "pieces + to) = 1u"},
+         {"bodies/space/write_in_space.h", "third = drawn.v;", "third = drawn.u;"},
+         {"portable/space.h", "drawn.u = is_flipped ?", "drawn.u = !is_flipped ?"},
+         {"portable/space.h", "most - for_u : for_u", "for_u : for_u", "locate_in_space"},
+         {"portable/space.h", "piece.shape ^ SHAPE_FLIPPED", "piece.shape"},
+         {"portable/space.h", "32u - leading_zeros", "31u - leading_zeros"}});
+}
+
+TEST_P(Faults, InVolumesAreNoticed) {
+    const std::vector<Point3> keep{{0.1, 0.1, 0.1}, {0.6, 0.5, 0.3}};
+    expect_noticed_in_space(
+        {.volume = {1, 0.8, 0.7, Boundary::torus},
+         .radius = 0.2,
+         .keep = keep,
+         .limit = 42,
+         .seed = 6},
+        {{"bodies/space/locate_in_space.h", "AT(third_bits, i)", "draw.rank"},
+         {"bodies/space/around.h", "moved(at, near.shift)", "at"},
+         {"bodies/space/decide_in_space.h", "place_of(ON one, other), near.shift",
+          "place_of(ON one, other), at"},
+         {"bodies/space/split_in_space.h", "farther(one.z, from.z, to.z)", "0u"},
+         {"bodies/space/split_in_space.h", "? middle.y : s.a.y", "? s.a.y : s.a.y"},
+         {"portable/space.h", "which / 9u", "which / 10u", "split_in_space"},
+         {"portable/space.h", "number / columns % rows", "number % rows"},
+         {"portable/space.h", "2u * part.third + (which >> 2)", "2u * part.third"},
+         {"portable/space.h", "(length * bits) >> 32", "(length * bits) >> 33"}});
 }
 
 // A round of 3,000 draws in a few columns is admitted in parts.

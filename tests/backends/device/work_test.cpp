@@ -16,6 +16,10 @@
 #include "portable/report.h"
 #include "rounds/marginal.h"
 #include "rounds/round_policy.h"
+#include "space/backends.h"
+#include "space/meshes.h"
+#include "space/plan.h"
+#include "space/portion.h"
 
 namespace lacuna {
 namespace {
@@ -30,7 +34,8 @@ struct Made {
 };
 
 // The loop of generate().
-Made make_set(const Plan& plan, Backend& backend) {
+template <typename Placed>
+Made make_set(const Plan& plan, BackendOf<Placed>& backend) {
     const Work before = backend.work();
     Made made;
     Marginal marginal(
@@ -48,7 +53,7 @@ Made make_set(const Plan& plan, Backend& backend) {
             backend.refine(policy.halves());
         else
             backend.subtract();
-        const Round round = backend.finish_round();
+        const RoundOf<Placed> round = backend.finish_round();
         ++made.rounds;
         made.draws += draws.size();
         made.samples += round.samples.size();
@@ -73,6 +78,8 @@ constexpr std::uint64_t kSampleBytes = 8;
 
 class DeviceWork : public tests::OnBackend {
 protected:
+    Observer nobody_;
+
     // The set is made without an error if the loops of a kernel have at most `most` turns.
     bool has_short_loops(const Plan& plan, const char* file, const char* check, const char* turns,
                          std::uint32_t most) {
@@ -120,6 +127,29 @@ TEST_P(DeviceWork, WithARadiusFieldBringsTwoWordsABoxAndTwoASampleDown) {
     EXPECT_LE(made.work.waits, 3 * made.rounds + 8);
     EXPECT_LE(made.work.downloaded_bytes, kSampleBytes * made.samples + 8 * made.bins + copied +
                                               kReportBytes * (made.work.waits - made.rounds));
+}
+
+TEST_P(DeviceWork, InSpaceBringsTwoWordsABinAndThreeASampleDown) {
+    const Mesh mesh = tests::sphere(60);
+    for (const SpaceRequest& request :
+         {SpaceRequest{.mesh = &mesh, .radius = 0.03}, SpaceRequest{.radius = 0.05}}) {
+        const Plan plan = space::CheckedRequest(request).plan(*request.radius, ~std::uint64_t{0});
+        const auto backend =
+            space::make_backend(GetParam(), plan, {.backend = GetParam()}, nobody_);
+        const Made made = make_set(plan, *backend);
+        const bool is_volume = request.mesh == nullptr;
+        const std::uint64_t numbers = is_volume ? 4 : 0;  // the third one of each draw
+        // The list of samples, if it needs more room, is copied through the host, up as much as
+        // down.
+        const std::uint64_t copied = made.work.uploaded_bytes - (kDrawBytes + numbers) * made.draws;
+        EXPECT_LE(copied, 16 * made.samples);
+        EXPECT_LE(made.work.uploads, (is_volume ? 2 : 1) * made.rounds + 2);
+        // In volumes more draws of a round conflict, and some rounds need more passes.
+        EXPECT_LE(made.work.waits, 2 * made.rounds + (is_volume ? 8 : 3));
+        EXPECT_LE(made.work.launches, 18 * made.rounds);
+        EXPECT_EQ(made.work.downloaded_bytes, 3 * 4 * made.samples + 8 * made.bins + copied +
+                                                  kReportBytes * (made.work.waits - made.rounds));
+    }
 }
 
 TEST_P(DeviceWork, IsThatOfItsKernelsWhichHaveTimesIfTheyAreAskedFor) {

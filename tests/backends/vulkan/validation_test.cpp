@@ -14,6 +14,9 @@
 #include "backends/vulkan/vulkan_backend.h"
 #include "portable/status.h"
 #include "sampling/generate.h"
+#include "space/meshes.h"
+#include "space/plan.h"
+#include "space/portion.h"
 
 namespace {
 
@@ -198,6 +201,22 @@ TEST_P(ValidatedCalls, MakesSetsWithARadiusFieldWithoutAMessage) {
         Observer nobody;
         EXPECT_FALSE(
             generate(plan, *vulkan::make_backend(plan, {}, {}, trial), nobody).samples.empty());
+        EXPECT_EQ(messages(), "");
+    }
+}
+
+TEST_P(ValidatedCalls, MakesSetsInSpaceWithoutAMessage) {
+    const Mesh mesh = tests::soup(20, 3);
+    vulkan::Trial trial;
+    trial.validation = &validation_;
+    for (const SpaceRequest& request :
+         {SpaceRequest{.mesh = &mesh, .radius = 0.05}, SpaceRequest{.radius = 0.2, .seed = 3}}) {
+        const Plan plan = space::CheckedRequest(request).plan(*request.radius, ~std::uint64_t{0});
+        std::size_t count = 0;
+        Observer nobody;
+        generate<space::SpaceSample>(plan, *vulkan::make_space_backend(plan, {}, trial), nobody,
+                                     [&](auto samples) { count += samples.size(); });
+        EXPECT_GT(count, 10u);
         EXPECT_EQ(messages(), "");
     }
 }
