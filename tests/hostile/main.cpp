@@ -1,10 +1,12 @@
-// hostile: random requests with every pair of capabilities, of sample() (hostile/capabilities.h)
-// and of stipple() (hostile/stippling.h). All backends, numbers of threads and lacuna.h must answer
-// each alike, to the byte. Each set is proven by lacuna/verify.h and by tests/judge, which shares
-// no code with it, and both must find the same in it with a point less, moved or too close. Each
-// request is made once more on a domain that lies elsewhere, and its set is proven there.
+// hostile: random requests with every pair of capabilities, of sample() (hostile/capabilities.h),
+// of stipple() (hostile/stippling.h) and of sets in space (hostile/in_space.h). All backends,
+// numbers of threads and lacuna.h must answer each alike, to the byte. Each set is proven by
+// lacuna/verify.h and by tests/judge, which shares no code with it, and both must find the same in
+// it with a point less, moved or too close. Each request is made once more on a domain that lies
+// elsewhere, and its set is proven there.
 //
-//     hostile [sample | stipple] [--requests N] [--only CAPABILITY] [--on BACKEND] [--seed S]
+//     hostile [sample | stipple | space] [--requests N] [--only CAPABILITY] [--on BACKEND] [--seed
+//     S]
 //             [--skip K]
 //
 // The first requests cover all pairs; then come N (0) at random. It prints the seed, which is a new
@@ -29,6 +31,7 @@
 #include "hostile/answers.h"
 #include "hostile/capabilities.h"
 #include "hostile/door_to_c.h"
+#include "hostile/in_space.h"
 #include "hostile/judge_counts.h"
 #include "hostile/judge_elsewhere.h"
 #include "hostile/judge_set.h"
@@ -200,6 +203,31 @@ private:
     }
 };
 
+class SetsInSpace : public Program {
+public:
+    SetsInSpace(const tests::HostileOptions& options, const std::vector<std::string>& names)
+        : Program(options, names, tests::kSpace) {}
+
+private:
+    void check(const tests::Row& row, std::uint64_t number, std::string&) override {
+        tests::MadeInSpace made;
+        tests::RandomInSpace(options_.seed, number, row).make(made);
+        const tests::AnswerInSpace answer = tests::answer_of_all(made.request, names_, counts_);
+        demand(answer.refusal.empty(), "a request is refused: " + answer.refusal);
+        std::mt19937_64 random(number);
+        tests::judge_in_space(made, answer.set, random, counts_);
+        for (const Point3& at : answer.set.points)
+            add_to_hash(std::vector<Point>{{at.x, at.y}, {at.z, 0}});
+    }
+
+    std::string answer(const tests::Row& row, const tests::Refused&) override {
+        tests::MadeInSpace made;
+        tests::RandomInSpace(options_.seed, counts_.refusals, row).make(made);
+        const tests::AnswerInSpace answer = tests::answer_of_all(made.request, names_, counts_);
+        return answer.refusal.empty() ? "a set" : answer.refusal;
+    }
+};
+
 // The reference first.
 std::vector<std::string> backends_of(const tests::HostileOptions& options) {
     if (!options.on.empty()) return {options.on, options.on};
@@ -217,6 +245,7 @@ int main(int argc, char** argv) {
         std::cout << std::endl;
         if (options.samples) Sets(options, names).run();
         if (options.stipples) Drawings(options, names).run();
+        if (options.in_space) SetsInSpace(options, names).run();
     } catch (const std::exception& error) {
         std::cerr << "hostile: " << error.what() << std::endl;
         return EXIT_FAILURE;

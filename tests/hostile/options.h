@@ -10,7 +10,7 @@
 namespace lacuna::tests {
 
 struct HostileOptions {
-    bool samples = true, stipples = true;
+    bool samples = true, stipples = true, in_space = true;
     std::uint64_t requests = 0;  // after all pairs are covered
     std::uint64_t seed = std::random_device()();
     std::uint64_t skip = 0;
@@ -30,14 +30,15 @@ inline HostileOptions read_hostile_options(int argc, char** argv) {
     };
     for (int i = 1; i < argc; ++i) {
         const std::string name = argv[i];
-        if (name == "sample" || name == "stipple") {
+        if (name == "sample" || name == "stipple" || name == "space") {
             options.samples = name == "sample";
-            options.stipples = !options.samples;
+            options.stipples = name == "stipple";
+            options.in_space = name == "space";
             continue;
         }
         constexpr std::string_view kKnown = "--requests --seed --skip --only --on ";
         if (kKnown.find(name + " ") == kKnown.npos)
-            throw std::invalid_argument(name + ": must be sample, stipple or one of " +
+            throw std::invalid_argument(name + ": must be sample, stipple, space or one of " +
                                         std::string(kKnown));
         if (++i == argc) throw std::invalid_argument(name + ": needs a value");
         const std::string value = argv[i];

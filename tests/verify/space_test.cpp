@@ -52,6 +52,19 @@ Point3 any_spot(const Mesh& mesh, std::mt19937& random) {
             a.z + u * (b.z - a.z) + v * (c.z - a.z)};
 }
 
+// Products of the lengths of its sides have too few digits to say which side of an edge a point is
+// on.
+TEST(SetsOnAMesh, OfThinTrianglesFarFromZeroLieOnThem) {
+    const Mesh ribbon{{{-5000, -5000, 0}, {-4999, -4999.9, 0.2}, {-4999, -4999.899983, 0.2}},
+                      {{0, 1, 2}}};
+    std::mt19937 random(3);
+    for (int i = 0; i < 1000; ++i) {
+        const Points points{any_spot(ribbon, random)};
+        const SpaceClaim claim{.mesh = &ribbon, .radius = 2, .distances_only = true};
+        EXPECT_FALSE(prove(points, claim).outside) << i;
+    }
+}
+
 TEST(SetsOnAMesh, AreAsBruteForceFinds) {
     for (const std::uint32_t sides : {2U, 40U}) {  // triangles larger and smaller than the radius
         const Mesh mesh = hills(sides);

@@ -22,6 +22,9 @@ inline Point3 operator*(double factor, const Point3& a) {
 inline double dot(const Point3& a, const Point3& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+inline Point3 cross(const Point3& a, const Point3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 inline double distance_of(const Point3& a, const Point3& b) {
     return std::sqrt(dot(a - b, a - b));
 }
@@ -48,15 +51,16 @@ struct TriangleCell {
         const auto& [a, b, c] = corners;
         const double to_edges = std::min(
             {distance_to_line(at, a, b), distance_to_line(at, b, c), distance_to_line(at, c, a)});
-        // Seen along the normal, the point is inside if it is on one side of all edges.
-        const Point3 u = b - a, v = c - a, way = at - a;
-        const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v);
-        const double area = uu * vv - uv * uv;
-        const double along_u = vv * dot(way, u) - uv * dot(way, v);
-        const double along_v = uu * dot(way, v) - uv * dot(way, u);
-        if (!(area > 0) || along_u < 0 || along_v < 0 || along_u + along_v > area) return to_edges;
-        const Point3 on_plane = a + (along_u / area) * u + (along_v / area) * v;
-        return std::min(to_edges, distance_of(at, on_plane));
+        // Seen along the normal, the point is inside if it is on one side of all edges. Of a thin
+        // triangle, products of the sides' lengths would lose the digits that the normal has.
+        const Point3 normal = cross(b - a, c - a);
+        const double length = distance_of(normal, {});
+        const auto is_outside = [&](const Point3& from, const Point3& to) {
+            return dot(cross(to - from, at - from), normal) < 0;
+        };
+        if (!(length > 0) || is_outside(a, b) || is_outside(b, c) || is_outside(c, a))
+            return to_edges;
+        return std::min(to_edges, std::abs(dot(at - a, normal)) / length);
     }
     std::array<TriangleCell, 4> parts() const {
         const auto& [a, b, c] = corners;
