@@ -30,6 +30,10 @@ public:
         if (all.is_volume()) cell_ = all.cell(block);
     }
 
+    bool can_split(const Portion& part) const {
+        if (!all_.is_volume()) return !is_corner(part);
+        return !is_unit(low_corner(cell_, part), high_corner(cell_, part));
+    }
     // A bit for each piece that stays, or bit 0 for a part that stays as it is.
     unsigned kept_of(const Portion& part, bool splits) {
         return all_.is_volume() ? kept_of_box(part, splits) : kept_of_triangle(part, splits);
@@ -97,9 +101,10 @@ private:
         const bool is_one = is_unit(low, high);
         const Position end = is_one ? low : high;
         unsigned kept = splits ? with_volume(low, middle, high) : 1;
-        // Pieces of one unit are their low corners.
-        const bool makes_units = splits && has_units(low, middle, high);
+        // Pieces of one unit are their low corners. All others have the middle as a corner.
+        const bool makes_units = has_units(low, middle, high);
         for (const Position& sample : near_) {
+            if (!makes_units && !is_closer(sample, middle)) continue;
             const Farther x = farther(sample.x, low.x, middle.x, end.x);
             const Farther y = farther(sample.y, low.y, middle.y, end.y);
             const Farther z = farther(sample.z, low.z, middle.z, end.z);
@@ -118,13 +123,6 @@ private:
             if (kept == 0) break;
         }
         return kept;
-    }
-    static bool has_units(const Position& low, const Position& middle, const Position& high) {
-        const auto least = [](std::int32_t a, std::int32_t b, std::int32_t c) {
-            return std::min(b - a, c - b);
-        };
-        return least(low.x, middle.x, high.x) <= 1 && least(low.y, middle.y, high.y) <= 1 &&
-               least(low.z, middle.z, high.z) <= 1;
     }
     static unsigned with_volume(const Position& low, const Position& middle, const Position& high) {
         unsigned pieces = 255;
@@ -166,18 +164,14 @@ void Bins::find_runs() {
     if (run_begins_.back() != blocks()) run_begins_.push_back(blocks());
 }
 
-bool Bins::is_to_split(std::size_t bin, std::uint32_t block) const {
-    return std::uint64_t{lengths_[bin]} * widths_[bin] >= least_to_split_ &&
-           can_be_split(all_, now_[bin], block);
-}
-
 void Bins::mark(const Samples& samples, Span blocks) {
     std::vector<Position> near;
     for (std::uint32_t i = blocks.begin; i < blocks.end; ++i) {
         samples.find_near(block(i), near);
         Splitting splitting(all_, radius_squared_, block(i), near);
         for (std::uint32_t bin = begin(i); bin < begin(i + 1); ++bin) {
-            const bool splits = is_to_split(bin, block(i));
+            const bool splits = std::uint64_t{lengths_[bin]} * widths_[bin] >= least_to_split_ &&
+                                splitting.can_split(now_[bin]);
             kept_[bin] = static_cast<std::uint16_t>(splitting.kept_of(now_[bin], splits) |
                                                     (splits ? kSplits : 0U));
         }
@@ -233,12 +227,14 @@ void Bins::weigh(Workers& workers) {
     lengths_.resize(size());
     widths_.resize(size());
     workers.for_columns(runs(), size(), [&](std::uint32_t i) {
-        for (std::uint32_t k = run(i).begin; k < run(i).end; ++k)
+        for (std::uint32_t k = run(i).begin; k < run(i).end; ++k) {
+            const Solid cell = all_.is_volume() ? all_.cell(block(k)) : Solid{};
             for (std::uint32_t bin = begin(k); bin < begin(k + 1); ++bin) {
-                const auto [length, width] = size_of(all_.weight_of(now_[bin], block(k)));
+                const auto [length, width] = size_of(all_.weight_of(now_[bin], cell));
                 lengths_[bin] = length;
                 widths_[bin] = width;
             }
+        }
     });
     total_ = 0;
     for (std::size_t bin = 0; bin < size(); ++bin)

@@ -35,7 +35,6 @@ public:
     void refine(const Samples& samples, bool halve, Workers& workers);
 
 private:
-    bool is_to_split(std::size_t bin, std::uint32_t block) const;
     void mark(const Samples& samples, Span blocks);
     void take_marked(Workers& workers);
     void find_runs();

@@ -65,9 +65,12 @@ struct FirstBins {
                 static_cast<std::int32_t>(cells[2])};
     }
     std::uint64_t weight_of(const Portion& part, std::uint32_t block) const {
+        return weight_of(part, is_volume() ? cell(block) : Solid{});
+    }
+    // `cell` is that of its block; on a surface it does not count.
+    std::uint64_t weight_of(const Portion& part, const Solid& cell) const {
         if (!is_volume()) return weight_of_triangle(weights[part.third], part);
-        const Solid box = cell(block);
-        return weight_of_box(low_corner(box, part), high_corner(box, part));
+        return weight_of_box(low_corner(cell, part), high_corner(cell, part));
     }
 
     // Calls visit(block, shift) for the blocks whose samples may be closer than the radius to a

@@ -163,6 +163,18 @@ LACUNA_FN bool is_unit(Position low, Position high) {
     return high.x - low.x <= 1 && high.y - low.y <= 1 && high.z - low.z <= 1;
 }
 
+LACUNA_FN i32 shorter_half(i32 low, i32 middle, i32 high) {
+    i32 below = middle - low;
+    i32 above = high - middle;
+    return below < above ? below : above;
+}
+
+// Whether a box, or one of the eight parts that meet at `middle`, is this small.
+LACUNA_FN bool has_units(Position low, Position middle, Position high) {
+    return shorter_half(low.x, middle.x, high.x) <= 1 &&
+           shorter_half(low.y, middle.y, high.y) <= 1 && shorter_half(low.z, middle.z, high.z) <= 1;
+}
+
 // Part 0 to 7: bit 0 is along x, bit 1 along y, bit 2 along z.
 LACUNA_FN Portion eighth(Portion part, u32 which) {
     Portion piece;

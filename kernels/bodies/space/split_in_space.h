@@ -7,8 +7,9 @@
 struct Splitting {
     u64 radius_squared;
     bool splits;
-    Position a;  // of a box its low corner
-    Position b;  // of a box its high corner
+    bool has_units;  // a box may be one unit, or have pieces of one
+    Position a;      // of a box its low corner
+    Position b;      // of a box its high corner
     Position c;
     // The corners of the piece in the middle, each opposite to a, b or c.
     Position opposite_a;  // of a box its middle
@@ -48,7 +49,9 @@ BODY u64 farther(const i32 at, const i32 low, const i32 high) {
 
 BODY u32 kept_of_box(const Splitting s, const Solid solid, const Portion part, const Position one,
                      const u32 kept) {
+    // Pieces of one unit are their low corners. All others have the middle as a corner.
     const Position middle = s.opposite_a;
+    if (!s.has_units && !is_closer(s, one, middle)) return kept;
     const Position end = is_unit(s.a, s.b) ? s.a : s.b;
     const u64 all =
         farther(one.x, s.a.x, end.x) + farther(one.y, s.a.y, end.y) + farther(one.z, s.a.z, end.z);
@@ -98,7 +101,9 @@ BODY Splitting splitting_of(const StripArguments a, const Around around, const S
         s.opposite_b = s.a;
         s.opposite_c = s.a;
         s.splits = s.splits && !is_unit(s.a, s.b);
+        s.has_units = has_units(s.a, s.opposite_a, s.b);
     } else {
+        s.has_units = false;
         s.splits = s.splits && !is_corner(part);
         s.a = corner_of_triangle(solid, part, 0u);
         s.b = corner_of_triangle(solid, part, 1u);
