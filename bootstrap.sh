@@ -10,7 +10,8 @@ packages=(
     g++ cmake ninja-build pkg-config
     librandom123-dev libhwy-dev libcli11-dev libfmt-dev libtbb-dev libcairo2-dev nlohmann-json3-dev
     libssl-dev libeigen3-dev libnanoflann-dev
-    libpng-dev libjpeg-dev libtiff-dev libwebp-dev libheif-dev libpugixml-dev libpolyclipping-dev zlib1g-dev
+    libpng-dev libjpeg-dev libtiff-dev libwebp-dev libheif-dev libpugixml-dev libpolyclipping-dev libassimp-dev
+    zlib1g-dev
     opencl-headers opencl-clhpp-headers ocl-icd-libopencl1
     libvulkan-dev glslang-tools spirv-tools
     python3-dev python3-venv

@@ -23,7 +23,7 @@ set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
 # These libraries are loaded when their backends are used; drivers are the user's choice.
 set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "libvulkan1, ocl-icd-libopencl1")
-set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "pocl-opencl-icd, mesa-vulkan-drivers, libheif1")
+set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "pocl-opencl-icd, mesa-vulkan-drivers, libheif1, libassimp5")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME liblacuna-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libtbb-dev)

@@ -86,9 +86,15 @@ struct Given {
         }
         geojson += "]}";
         svg += "</svg>";
+        for (const Point3& at : mesh.vertices)
+            obj += "v " + std::to_string(at.x) + ' ' + std::to_string(at.y) + ' ' +
+                   std::to_string(at.z) + '\n';
+        for (std::size_t i = 0; i < points.size(); ++i)
+            obj += "f 1 2 " + std::to_string(i % 1000 + 3) + '\n';
         for (const auto& [name, bytes] : {std::pair("rings.geojson", &geojson),
                                           {"rings.svg", &svg},
                                           {"rings.txt", &lines},
+                                          {"mesh.obj", &obj},
                                           {"grey.pgm", &picture},
                                           {"colours.ppm", &colours}})
             tests::write_file(path(name), *bytes);
@@ -106,7 +112,7 @@ struct Given {
     std::vector<PolygonRing> rings;
     std::vector<Ellipse> ellipses;
     std::vector<std::uint64_t> seeds;
-    std::string picture, colours, geojson, svg, lines;
+    std::string picture, colours, geojson, svg, lines, obj;
     tests::Folder folder;
 };
 
@@ -248,6 +254,15 @@ void add_others(const Shared& given, std::size_t size, std::vector<Call>& all) {
     add("fitted", [](const Given& g) { fitted({g.rings, Domain{2, 2}}, {1, 1}); });
 }
 
+template <class Read>
+void with_assimp(const Read& read) {
+    try {
+        read();
+    } catch (const FileError& error) {
+        throw Unavailable(error.what());
+    }
+}
+
 void add_files(const Shared& given, std::vector<Call>& all) {
     const auto add = [&](const std::string& name, auto run) {
         all.push_back({name, [=] { run(*given); }});
@@ -277,6 +292,9 @@ void add_files(const Shared& given, std::vector<Call>& all) {
     add("threshold_mask of frames", [](const Given&) { threshold_mask(24, 24, 0, 4); });
     add("read_mask", [](const Given& g) { read_mask(g.path("grey.pgm")); });
     add("decode_mask", [](const Given& g) { decode_mask(g.picture, "grey"); });
+    add("read_mesh", [](const Given& g) { with_assimp([&] { read_mesh(g.path("mesh.obj")); }); });
+    add("decode_mesh",
+        [](const Given& g) { with_assimp([&] { decode_mesh(g.obj, "mesh.obj"); }); });
     const std::vector<Ink> inks = inks_of("cmyk");
     add("importance_of",
         [=](const Given& g) { importance_of(read_picture(g.path("grey.pgm")), tone); });

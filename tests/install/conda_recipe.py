@@ -28,7 +28,7 @@ assert recipe["context"]["version"] == version, f"{recipe['context']}, but {vers
 NAMES = {"tbb": "tbb-devel", "random123_include_dir": "random123", "pkgconfig": "pkg-config",
          "highway_include_dir": "libhwy", "eigen3": "eigen", "png": "libpng", "jpeg": "libjpeg-turbo",
          "tiff": "libtiff", "libwebp": "libwebp-base", "cli11_include_dir": "cli11",
-         "libheif_include_dir": "libheif"}
+         "libheif_include_dir": "libheif", "assimp_include_dir": "assimp"}
 needed = {NAMES.get(name.lower(), name.lower()) for name in re.findall(
     r"^ *(?:lacuna_need(?:_module|_header)?|find_path)\((\w+)", (source / "CMakeLists.txt").read_text(),
     re.MULTILINE)}

@@ -1,4 +1,4 @@
-// Where samples may lie, from files: masks that are pictures, polygons, and lines. Link
+// Where samples may lie, from files: masks that are pictures, polygons, lines, and meshes. Link
 // lacuna::extras.
 //
 // What is promised
@@ -18,6 +18,7 @@
 #include <lacuna/export.h>
 #include <lacuna/files.h>
 #include <lacuna/places.h>
+#include <lacuna/space.h>
 
 #include <cstdint>
 #include <optional>
@@ -76,5 +77,15 @@ std::vector<PolygonRing> joined(std::vector<PolygonRing> rings);
 Polygons read_lines(const std::string& path);
 // The same for bytes that have been read.
 Polygons decode_lines(std::string_view bytes, std::string_view format, const std::string& name);
+
+// Reads the triangles of a mesh with assimp, which is loaded for the first one (Debian:
+// libassimp5): .ply, .obj, .stl, .off, .gltf or .glb. Polygons are cut into triangles, nodes of a
+// scene are put where their transforms say, and points and lines are skipped. Coordinates are
+// single precision, as assimp of Debian has them. Throws FileError, also where there is no triangle
+// or no assimp, and BadRequest for another extension.
+Mesh read_mesh(const std::string& path);
+// The same for bytes that have been read. `name` stands for the file in messages, and its extension
+// is the format. A .gltf must hold all its numbers.
+Mesh decode_mesh(std::string_view bytes, const std::string& name);
 
 }  // namespace lacuna
