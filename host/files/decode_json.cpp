@@ -56,9 +56,9 @@ public:
         return false;
     }
 
-    std::vector<Point> points() {
+    PointsOfFile points() {
         if (!has_points_) refuse(name_, R"(there is no "points", an array of [x, y])");
-        return std::move(points_);
+        return {.points = std::move(points_), .z = std::move(z_)};
     }
 
 private:
@@ -75,13 +75,13 @@ private:
                                       numbers_of_each_ == 3 ? " and z, as point 0" : ""));
         const Point point{numbers[0].get<double>(), numbers[1].get<double>()};
         check_finite(point, points_.size(), name_);
-        if (numbers_of_each_ == 3) third_.add(numbers[2].get<double>(), points_.size());
+        if (numbers_of_each_ == 3) z_.push_back(numbers[2].get<double>());
         points_.push_back(point);
     }
 
     const std::string& name_;
     std::vector<Point> points_;
-    ThirdCoordinate third_{name_};
+    std::vector<double> z_;
     std::string key_;                  // the current key of the outermost object
     std::size_t numbers_of_each_ = 2;  // how many each point has
     int point_depth_ = 1;
@@ -269,7 +269,7 @@ PointsOfFile decode_json(std::string_view bytes, const std::string& name) {
     } catch (const Json::out_of_range&) {
         refuse(name, "has a number that is too large for a double");
     }
-    PointsOfFile file{.points = points.points()};
+    PointsOfFile file = points.points();
     const std::size_t count = file.points.size();
     if (const Json& said = member_of(header, "count");
         said.is_number_unsigned() && said.get<std::uint64_t>() != count)
@@ -283,6 +283,7 @@ PointsOfFile decode_json(std::string_view bytes, const std::string& name) {
                        .height = *height,
                        .x0 = number_of(header, "x0"),
                        .y0 = number_of(header, "y0")};
+    file.depth = size_of(header, "depth", name);
     file.radius = size_of(header, "radius", name);
     file.boundary = boundary_of(header, name);
     file.origin = origin_of(header, count, name);

@@ -17,8 +17,8 @@
 namespace lacuna::files {
 namespace {
 
-// Number of points given to OpenSSL at once, because one call costs more than hashing one point.
-constexpr std::size_t kPointsPerUpdate = 4096;
+// How many numbers OpenSSL is given at once, because one call costs more than hashing one number.
+constexpr std::size_t kNumbersPerUpdate = 8192;
 
 void check(int openssl_result, const char* call) {
     if (openssl_result != 1) throw Error(std::string("SHA-256: ") + call + " of OpenSSL failed");
@@ -44,17 +44,19 @@ Sha256OfPoints::Sha256OfPoints() : state_(std::make_unique<State>()) {
 Sha256OfPoints::~Sha256OfPoints() = default;
 
 void Sha256OfPoints::add(std::span<const Point> points) {
+    static_assert(sizeof(Point) == 2 * sizeof(double));
+    if (!points.empty()) add_numbers({&points.front().x, 2 * points.size()});
+}
+
+void Sha256OfPoints::add_numbers(std::span<const double> numbers) {
     auto& [context, bytes] = *state_;
-    while (!points.empty()) {
-        const std::size_t count = std::min(kPointsPerUpdate, points.size());
-        ask_after(4 * count);
+    while (!numbers.empty()) {
+        const std::size_t count = std::min(kNumbersPerUpdate, numbers.size());
+        ask_after(2 * count);
         bytes.clear();
-        for (const Point& point : points.first(count)) {
-            append_little_endian(bytes, point.x);
-            append_little_endian(bytes, point.y);
-        }
+        for (const double number : numbers.first(count)) append_little_endian(bytes, number);
         check(EVP_DigestUpdate(context.get(), bytes.data(), bytes.size()), "EVP_DigestUpdate");
-        points = points.subspan(count);
+        numbers = numbers.subspan(count);
     }
 }
 
@@ -71,6 +73,13 @@ std::string Sha256OfPoints::hex() {
 std::string sha256_of(std::span<const Point> points) {
     Sha256OfPoints digest;
     digest.add(points);
+    return digest.hex();
+}
+
+std::string sha256_in_space(std::span<const Point3> points) {
+    static_assert(sizeof(Point3) == 3 * sizeof(double));
+    Sha256OfPoints digest;
+    if (!points.empty()) digest.add_numbers({&points.front().x, 3 * points.size()});
     return digest.hex();
 }
 

@@ -68,14 +68,13 @@ PointsOfFile decode_csv(std::string_view bytes, const std::string& name) {
     std::vector<Point>& points = file.points;
     const PointColumns columns =
         rows.names().empty() ? PointColumns() : PointColumns(rows.names(), rows.place());
-    ThirdCoordinate third(name);
     while (rows.next()) {
         if (rows.names().empty() && rows.columns() != 2)
             refuse(rows.place(), fmt::format("{} column{}: must be two, or the first line must "
                                              "call one of them x and one y",
                                              rows.columns(), rows.columns() == 1 ? "" : "s"));
         const auto number = [&](std::size_t column) { return rows.number(column); };
-        if (columns.z) third.add(number(*columns.z), points.size());
+        if (columns.z) file.z.push_back(number(*columns.z));
         points.push_back({number(columns.x), number(columns.y)});
         if (columns.a)
             file.ellipses.push_back(

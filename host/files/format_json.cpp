@@ -11,33 +11,16 @@
 #include <string>
 
 #include "base/polling.h"
+#include "files/json_text.h"
 #include "files/point_files.h"
 #include "files/text_lines.h"
 
 namespace lacuna::files {
 namespace {
 
-// Appends the shortest digits that read back as `value`. Whole numbers get ".0", so that readers
-// which distinguish 1 from 1.0 see a float, and -0.0 keeps its sign.
-void append_json_number(std::string& bytes, double value) {
-    ask_after(8);
-    const std::size_t begin = bytes.size();
-    fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{}"), value);
-    if (bytes.find_first_of(".e", begin) == std::string::npos) bytes += ".0";
-}
-
 // A text as JSON. File names and names of other programs' classes need not be valid UTF-8.
 std::string quoted(const std::string& text) {
     return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-void append_origin(std::string& bytes, const Origin& origin) {
-    bytes += fmt::format(
-        ",\"mode\":\"{}\",\"seed\":{},\"maximal\":{},"
-        "\"options\":{},\"program\":\"lacuna\",\"version\":\"{}\"",
-        name_of(origin.mode.value_or(Mode::exact)), origin.seed, origin.maximal.value_or(false),
-        origin.options.empty() ? "{}" : origin.options, origin.version);
-    if (!origin.command.empty()) bytes += ",\"command\":" + quoted(origin.command);
 }
 
 // For each level of a progressive order the number of its points, and the radius or scale at which
@@ -105,6 +88,22 @@ void append_layers(std::string& bytes, const PointSet& set) {
 }
 
 }  // namespace
+
+void append_json_number(std::string& bytes, double value) {
+    ask_after(8);
+    const std::size_t begin = bytes.size();
+    fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{}"), value);
+    if (bytes.find_first_of(".e", begin) == std::string::npos) bytes += ".0";
+}
+
+void append_origin(std::string& bytes, const Origin& origin) {
+    bytes += fmt::format(
+        ",\"mode\":\"{}\",\"seed\":{},\"maximal\":{},"
+        "\"options\":{},\"program\":\"lacuna\",\"version\":\"{}\"",
+        name_of(origin.mode.value_or(Mode::exact)), origin.seed, origin.maximal.value_or(false),
+        origin.options.empty() ? "{}" : origin.options, origin.version);
+    if (!origin.command.empty()) bytes += ",\"command\":" + quoted(origin.command);
+}
 
 std::string encode_json(const PointSet& set) {
     std::string bytes = with_room_for("{\"width\":", set.points.size());

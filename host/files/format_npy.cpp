@@ -49,7 +49,6 @@ PointsOfFile load_set(std::string_view data, std::endian order, const NpyHeader&
     const std::size_t across = header.fortran_order ? whole : 1;
     PointsOfFile file{.points = std::vector<Point>(whole)};
     std::vector<Point>& points = file.points;
-    ThirdCoordinate third(name);
     for (std::size_t i = 0; i < whole; ++i) {
         const auto at = [&](std::size_t column) {
             const std::size_t index = i * step + column * across;
@@ -57,7 +56,7 @@ PointsOfFile load_set(std::string_view data, std::endian order, const NpyHeader&
         };
         points[i] = {at(columns.x), at(columns.y)};
         check_finite(points[i], i, name);
-        if (columns.z) third.add(at(*columns.z), i);
+        if (columns.z) file.z.push_back(at(*columns.z));
         if (columns.a)
             file.ellipses.push_back({at(*columns.a), at(*columns.b), at(*columns.angle)});
     }

@@ -176,14 +176,13 @@ PointsOfFile read_vertices(Rest& rest, const Element& vertex, const Header& head
     const PointColumns columns = columns_of(vertex, name);
     PointsOfFile file;
     std::vector<Point>& points = file.points;
-    ThirdCoordinate third(name);
     std::vector<double> values(vertex.properties.size());
     ElementReader reader(rest, vertex, header);
     for (std::uint64_t i = 0; i < vertex.count; ++i) {
         reader.read(i, values);
         points.push_back({values[columns.x], values[columns.y]});
         check_finite(points.back(), points.size() - 1, name);
-        if (columns.z) third.add(values[*columns.z], i);
+        if (columns.z) file.z.push_back(values[*columns.z]);
         if (columns.a)
             file.ellipses.push_back(
                 {values[*columns.a], values[*columns.b], values[*columns.angle]});

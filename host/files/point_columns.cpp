@@ -12,14 +12,6 @@
 
 namespace lacuna::files {
 
-void ThirdCoordinate::add(double z, std::size_t index) {
-    if (!first_) first_ = z;
-    if (z != *first_)
-        refuse(name_, fmt::format("point {} has z {}, and point 0 has {}: points of the plane must "
-                                  "have the same z, or none",
-                                  index, z, *first_));
-}
-
 std::uint8_t place_among(std::vector<std::string>& names, std::string_view word,
                          const std::string& place) {
     constexpr std::size_t kMostNames = 255;

@@ -15,18 +15,6 @@
 
 namespace lacuna::files {
 
-// Points of the plane may have a third coordinate in a file only if it is the same for all.
-class ThirdCoordinate {
-public:
-    explicit ThirdCoordinate(const std::string& name) : name_(name) {}
-    // Throws FileError if the `index`-th point's z differs from the first one's.
-    void add(double z, std::size_t index);
-
-private:
-    const std::string& name_;
-    std::optional<double> first_;
-};
-
 // Returns the place of `word` among the names, which gets it if it is new. Throws FileError for
 // the 256th name, and for an empty one; `place` stands for its place in the file.
 std::uint8_t place_among(std::vector<std::string>& names, std::string_view word,

@@ -4,6 +4,7 @@
 #include <lacuna/files.h>
 #include <lacuna/inks.h>
 #include <lacuna/lacuna.h>
+#include <lacuna/space.h>
 
 #include <array>
 #include <cstddef>
@@ -130,9 +131,10 @@ void write_whole(const std::string& path, std::string_view bytes);
 // The number of the descriptor that /dev/stdout, /dev/stderr, /dev/fd/N or /proc/self/fd/N names.
 std::optional<int> descriptor_named(const std::string& path);
 
-// SHA-256, in hex, of the points as little-endian float64 x0 y0 x1 y1 ...: the value that --report
-// prints and that tests compare.
+// SHA-256, in hex, of the points as little-endian float64 x0 y0 x1 y1 ..., or x0 y0 z0 ...: the
+// value that --report prints and that tests compare.
 std::string sha256_of(std::span<const Point> points);
+std::string sha256_in_space(std::span<const Point3> points);
 // The same hash when the points arrive in parts.
 class Sha256OfPoints {
 public:
@@ -142,6 +144,7 @@ public:
     Sha256OfPoints& operator=(const Sha256OfPoints&) = delete;
 
     void add(std::span<const Point> points);
+    void add_numbers(std::span<const double> numbers);
     std::string hex();  // call it once, after the last add()
 
 private:

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 #include <lacuna/lacuna.h>
+#include <lacuna/space.h>
 
 #include <cmath>
 #include <cstddef>
@@ -31,7 +32,9 @@ struct LayersOfFile {
 
 struct PointsOfFile {
     std::vector<Point> points{};
+    std::vector<double> z{};         // of each point; empty: they have two coordinates
     std::optional<Domain> domain{};  // without its boundary; only in .json
+    std::optional<double> depth{};   // of the volume; only in .json
     std::optional<double> radius{};  // only in .json, as the next two
     std::optional<Boundary> boundary{};
     Origin origin{};
@@ -43,6 +46,11 @@ struct PointsOfFile {
     // The names of columns that were not read, such as radius. A command that writes these points
     // again would lose them.
     std::vector<std::string> other_columns{};
+
+    // Whether a .json says that the points lie on a mesh or in a volume.
+    bool is_said_to_be_in_space() const { return depth || origin.values.contains("on"); }
+    // Points with three coordinates.
+    std::vector<Point3> in_space() const;
 };
 
 // The format is chosen by the extension; "-" is standard input, as txt:
@@ -57,17 +65,19 @@ struct PointsOfFile {
 //   ply   ascii or binary; x and y of the element vertex, and the columns as in csv
 //   json  {"points": [[x, y], ...], ...} or the array alone
 // A third coordinate (a column z, or a third number in npy and json) must be the same for all
-// points, and is dropped.
+// points, and is dropped; points in space have one each, also as a third number in txt.
 // PSA is Schloemer & Deussen's point set analysis.
 // Ambiguous files are refused: a .txt file with a bare # on a line between points (in files of
 // UTK, the Uni(corn|form) tool kit, the end of a set), or whose count differs from the number of
 // points. NaN, infinity and pictures are refused, too. A set may be empty only if the whole file
 // has no point. Throws FileError with one line: the file, the position in it, what was found and
 // what was expected.
-PointsOfFile read_points(const std::string& path);
+enum class Lie { in_plane, in_space, as_file_says };
+PointsOfFile read_points(const std::string& path, Lie lie = Lie::in_plane);
 
 // The same for the bytes of a file. `name` stands for the file in messages.
-PointsOfFile decode(std::string_view bytes, const Format& format, const std::string& name);
+PointsOfFile decode(std::string_view bytes, const Format& format, const std::string& name,
+                    Lie lie = Lie::in_plane);
 
 // ------------------------------------------------------------------------ for the formats' readers
 

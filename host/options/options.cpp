@@ -52,15 +52,22 @@ constexpr Row kRows[] = {
     {{"count", "N", Kind::whole, kUniform},
      "Exactly N points, at a radius with room for a few more, so that the set is not maximal; this "
      "or --radius"},
-    {{"domain", "WxH", Kind::text, kUniform},
+    {{"domain", "WxH", Kind::text, kUniform & ~kPlaced},
      "Width and height of the domain (default 1x1); X0,Y0+WxH with its lower left corner, such as "
      "448000,5411000+2000x1500"},
+    {{"domain", "WxH[xD]", Kind::text, kPlaced},
+     "Width and height of the domain; X0,Y0+WxH with its lower left corner, such as "
+     "448000,5411000+2000x1500 (default: from a .json, a picture or polygons, or 1x1). WxHxD, with "
+     "a depth, is a volume: points have three coordinates"},
+    {{"on", "MESH", Kind::read_file, kPlaced},
+     "Points on the surface of a mesh: .ply .obj .stl .off .gltf .glb. Distances are straight "
+     "through space, and points have three coordinates"},
     {{"on-pixels", "COLUMNSxROWS", Kind::text, kSample},
      "Cuts the domain into this many pixels (and is its size, unless --domain is given): exactly "
      "--count samples lie in the centres of pixels, at most one on each, as even as can be or, "
      "with --field, as dense as it says. A .png has a pixel for each, white where there is a "
      "sample"},
-    {{"domain", "WxH", Kind::text, kVerify | kMoved | kAnalyze},
+    {{"domain", "WxH", Kind::text, kMoved | kAnalyze},
      "Width and height of the domain, or X0,Y0+WxH with its lower left corner (default: from a "
      ".json or a picture, or 1x1)"},
 
@@ -177,8 +184,8 @@ constexpr Row kRows[] = {
      "needs of each)"},
 
     // How they are made
-    {{"torus", "", Kind::flag, kMade | kMoved | kVerify}, "The edges wrap"},
-    {{"torus", "", Kind::flag, kAnalyze}, "The edges wrap: distances go across them"},
+    {{"torus", "", Kind::flag, kMade | kMoved | kVerify | kAnalyze},
+     "The edges wrap: distances go across them"},
     {{"limit", "K", Kind::whole, kMade}, "Stop after K points"},
     {{"seed", "S", Kind::whole, kMade},
      "Same seed, same points, whatever the backend (default 0); sets of different seeds are "
@@ -389,8 +396,8 @@ constexpr Row kRows[] = {
      "seconds, bytes and memory of a rank; - is standard output"},
     {{"json", "FILE.json", Kind::written_file, kCompare},
      "Writes the tables and the seconds of every run; - is standard output"},
-    {{"json", "", Kind::flag, kAnalyze}, "Numbers and curves on standard output, like -o -"},
-    {{"json", "", Kind::flag, kVerify | kDevices}, "As JSON"},
+    {{"json", "", Kind::flag, kAnalyze | kVerify | kDevices},
+     "Prints all that is found as JSON on standard output"},
     {{"progress", "", Kind::flag, kMpiSample},
      "Shows the progress bar although standard error is no terminal under mpirun"},
     {{"quiet", "", Kind::flag, kReported, {.decides_points = false}},

@@ -27,7 +27,7 @@ std::string encoded(const std::string& name, const Dots* dots = nullptr) {
 }
 
 std::vector<Point> decoded(const std::string& name, const std::string& bytes) {
-    return find_format(name)->decode(bytes, "file").points;
+    return decode(bytes, *find_format(name), "file").points;
 }
 
 TEST(Layers, GivenCsvThenTheLastColumnNamesTheInk) {

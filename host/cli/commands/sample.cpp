@@ -1,6 +1,7 @@
 // The options of `lacuna sample`, and its run.
 #include "base/number_text.h"
 #include "cli/commands/commands.h"
+#include "cli/commands/sample_space.h"
 
 #include <fmt/core.h>
 #include <lacuna/lacuna.h>
@@ -52,12 +53,15 @@ Examples:
   lacuna sample --on-pixels 512x80 --count 5000 -o mask.png   on pixels, one on each at most
   lacuna sample --keep trees.csv --radius 0.02 -o more.csv   fills the space around given points
   lacuna sample --class trees:0.03 --class grass:0.006 -o wood.csv   kinds of points
+  lacuna sample --on bunny.ply --radius 0.01 -o points.ply   on the surface of a mesh, with normals
+  lacuna sample --domain 1x1x1 --torus --radius 0.02 -o volume.npy   in a volume
   lacuna sample --count 256 --torus --seeds 0..999 -o 'tiles/{seed}.npy'   a thousand small tiles
   lacuna sample --radius 0.05 --torus --frame 0.1 --seeds 0..199 -o 't/{seed}.csv'   any two fit
 )";
 
 struct SampleCommand {
     CommonOptions common;
+    options::InSpace space{common.request};
     DomainOptions domain;
     DrawingOptions drawing;
     options::Choices given;
@@ -72,6 +76,8 @@ bool has_ellipses(const DomainOptions& options) {
 }
 
 void run(const CommandLine& line, SampleCommand all) {
+    if (all.space.is_asked_for())
+        return sample_in_space(line, all.common, all.space, all.domain.keep);
     all.given.has_ellipses = has_ellipses(all.domain);
     all.given.has_domain = line.has("domain");
     all.moves.iterations = options::relax_of(all.given);
@@ -140,7 +146,9 @@ Targets targets_of(SampleCommand& all) {
                     {"mode", &all.given.mode},
                     {"relax", &all.given.relax},
                     {"ellipse-columns", &all.ellipse_columns}};
-    // merge() keeps the first target of a name: --border is read as texts, which may be NAME:D.
+    // merge() keeps the first target of a name: --border is read as texts, which may be NAME:D, and
+    // --domain may have three sides.
+    targets.merge(options::targets_of(all.space));
     targets.merge(targets_of(all.domain));
     targets.merge(targets_of(all.common));
     targets.merge(targets_of(all.drawing));

@@ -1,7 +1,9 @@
 // The options of `lacuna verify`, and what it prints.
 #include "cli/commands/commands.h"
+#include "cli/commands/verify_space.h"
 
 #include <fmt/core.h>
+#include <lacuna/domains.h>
 #include <lacuna/lacuna.h>
 #include <lacuna/verify.h>
 
@@ -46,6 +48,8 @@ Examples:
   lacuna verify dots.npy --field photo.jpg --scale 0.002      radii that follow a picture
   lacuna verify wood.csv --class trees:0.03 --class grass:0.006   points of several kinds
   lacuna verify trees.csv --radius 4 --inside park.svg --keep old.csv    in polygons, around others
+  lacuna verify points.ply --on bunny.ply --radius 0.01       on the surface of a mesh
+  lacuna verify volume.npy --domain 1x1x1 --torus --radius 0.02     in a volume
 
 Two promises are checked. No two points are closer than R. No spot of the domain, edges and corners
 included, is farther than R + T from every point. The closest two points and the largest gap are
@@ -73,6 +77,7 @@ struct VerifyCommand {
     std::optional<double> tolerance;
     // The options that `lacuna sample` has, too: the radius or scale, the domain and its border.
     Request request;
+    options::InSpace space{request};
     DomainOptions domain;
     bool torus = false;
     bool distances_only = false;
@@ -179,6 +184,8 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, ForAllS
 
 // Refuses bad options before it takes time to read a large file.
 void check(const CommandLine& line, const VerifyCommand& options) {
+    check_given_files(files_read(line), std::vector<GivenFile>{});
+    if (options.space.is_asked_for()) return;
     pictures::check(options.domain.field.importance);
     const Request& request = options.request;
     const auto is_json = [](const std::string& file) { return file.ends_with(".json"); };
@@ -187,7 +194,6 @@ void check(const CommandLine& line, const VerifyCommand& options) {
         std::none_of(options.files.begin(), options.files.end(), is_json))
         throw BadRequest("scale", "missing",
                          "give the radius that points should have where the field is black");
-    check_given_files(files_read(line), std::vector<GivenFile>{});
     if (!request.radius) return;
     Claim claim;
     claim.radius = *request.radius;
@@ -216,29 +222,55 @@ std::string fault_in_levels(const SetClaim& claim) {
     return "";
 }
 
+// Prints the verdicts. Throws CheckFailed if one of them does not hold.
+template <class SomeClaim>
+void conclude(const VerifyCommand& options, const std::vector<SomeClaim>& claims) {
+    if (!options.quiet) files::write_whole("-", options.json ? json_of(claims) : text_of(claims));
+    if (!std::all_of(claims.begin(), claims.end(), [](const auto& claim) { return claim.holds(); }))
+        throw CheckFailed();
+}
+
+void run_in_space(const CommandLine& line, const VerifyCommand& options,
+                  const std::vector<files::PointsOfFile>& all) {
+    Request request = options.request;
+    if (options.torus) request.domain.boundary = Boundary::torus;
+    const options::InSpace space{request, options.space.mesh, options.space.volume};
+    const Mesh mesh = space.mesh.empty() ? Mesh() : read_mesh(space.mesh);
+    std::vector<std::string> names;
+    for (const std::string& path : options.files) names.push_back(files::name_of(path));
+    conclude(options,
+             proven_in_space(
+                 line, {space, options.tolerance, options.distances_only, options.domain.keep},
+                 mesh, names, all));
+}
+
 void run(const CommandLine& line, const VerifyCommand& options) {
     check(line, options);
     ForAllSets given{options.request, {}};
     if (options.torus) given.request.domain.boundary = Boundary::torus;
+    const bool is_in_space = options.space.is_asked_for();
     std::vector<files::PointsOfFile> all;
-    for (const std::string& path : options.files) all.push_back(files::read_points(path));
+    for (const std::string& path : options.files)
+        all.push_back(files::read_points(
+            path, is_in_space ? files::Lie::in_space : files::Lie::as_file_says));
+    if (is_in_space || std::any_of(all.begin(), all.end(), [](const files::PointsOfFile& file) {
+            return file.is_said_to_be_in_space();
+        }))
+        return run_in_space(line, options, all);
     DomainOptions domain = options.domain;
     if (domain.classes.given.empty()) domain.known_classes = all.front().origin.classes.names;
     read_given_files(line, domain, given.request, given.files);
     std::vector<SetClaim> claims;
     for (std::size_t i = 0; i < all.size(); ++i)
         claims.push_back(claim_of(line, options, given, all[i], files::name_of(options.files[i])));
-    bool all_hold = true;
     for (SetClaim& claim : claims) {
         // Now that `claims` does not move its elements any more.
         claim.class_of_points = claim.own_classes;
         claim.keep_classes = claim.classes_of_keep;
         claim.proof = prove(claim.points, claim);
         if (claim.holds()) claim.fault = fault_in_levels(claim);
-        all_hold = all_hold && claim.holds();
     }
-    if (!options.quiet) files::write_whole("-", options.json ? json_of(claims) : text_of(claims));
-    if (!all_hold) throw CheckFailed();
+    conclude(options, claims);
 }
 
 // Where the value of each option goes.
@@ -246,7 +278,9 @@ Targets targets_of(VerifyCommand& all) {
     Targets targets{{"FILE", &all.files},          {"torus", &all.torus},
                     {"tolerance", &all.tolerance}, {"distances-only", &all.distances_only},
                     {"json", &all.json},           {"quiet", &all.quiet}};
-    // merge() keeps the first target of a name: --border is read as texts, which may be NAME:D.
+    // merge() keeps the first target of a name: --border is read as texts, which may be NAME:D, and
+    // --domain may have three sides.
+    targets.merge(options::targets_of(all.space));
     targets.merge(targets_of(all.domain));
     targets.merge(options::targets_of(all.request));
     return targets;

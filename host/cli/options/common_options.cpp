@@ -90,12 +90,17 @@ std::string words_of(const CommonOptions& options, const Finished& made, const s
             size = fmt::format(", radius {:.4g}", result.radius);
     }
     if (what == "point" && !result.maximal && !options.request.on_pixels) size += ", not maximal";
-    const std::size_t count = result.points.size();
-    std::string rounds;
-    if (result.rounds > 0)
-        rounds = fmt::format(", {} round{}", result.rounds, result.rounds == 1 ? "" : "s");
-    return fmt::format("{} {}{}{}{}{}, {:.3f} s, {}{}", count, what, count == 1 ? "" : "s", note,
-                       size, rounds, made.seconds, result.backend, more);
+    return words_of(result.points.size(), what, result.rounds, note + size, made.seconds,
+                    result.backend) +
+           more;
+}
+
+std::string words_of(std::size_t count, const std::string& what, std::uint64_t rounds,
+                     const std::string& note, double seconds, const std::string& backend) {
+    std::string of_rounds;
+    if (rounds > 0) of_rounds = fmt::format(", {} round{}", rounds, rounds == 1 ? "" : "s");
+    return fmt::format("{} {}{}{}{}, {:.3f} s, {}", count, what, count == 1 ? "" : "s", note,
+                       of_rounds, seconds, backend);
 }
 
 }  // namespace lacuna::cli

@@ -3,6 +3,8 @@
 
 #include <lacuna/lacuna.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -81,5 +83,9 @@ std::string words_of(std::span<const files::Layer> layers);
 // backend.
 std::string words_of(const CommonOptions& options, const Finished& made, const std::string& what,
                      const std::string& note = "", const std::string& more = "");
+
+// The same for a set of `count` points or dots.
+std::string words_of(std::size_t count, const std::string& what, std::uint64_t rounds,
+                     const std::string& note, double seconds, const std::string& backend);
 
 }  // namespace lacuna::cli

@@ -200,11 +200,7 @@ void finish(Interruption& interruption, const CommonOptions& options, const Draw
     Writing writing(interruption);
     if (!options.report.empty()) writing.add(options.report, ready.report);
     write_set(writing, drawing, outputs, ready.set, ready.style, ready.find_diameters);
-    const Written written{outputs, options.report, options.quiet};
-    if (written.is_on_screen() && ready.set.points.empty() && !options.quiet)
-        print_last(ready.words + " -> " + paths_of(outputs));
-    else
-        sum_up(written, ready.words);
+    sum_up({outputs, options.report, options.quiet}, ready.words, ready.set.points.empty());
 }
 
 }  // namespace lacuna::cli

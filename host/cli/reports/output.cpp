@@ -116,8 +116,8 @@ void print_last(const std::string& line) {
     std::fputs((printable(line) + "\n").c_str(), stderr);
 }
 
-void sum_up(const Written& written, const std::string& what) {
-    if (written.is_quiet || written.is_on_screen()) return;
+void sum_up(const Written& written, const std::string& what, bool is_empty) {
+    if (written.is_quiet || (written.is_on_screen() && !is_empty)) return;
     print_last(what + " -> " + paths_of(written.outputs));
 }
 

@@ -61,8 +61,8 @@ struct Written {
     bool is_on_screen() const { return has_standard_output(outputs) || is_standard_output(report); }
 };
 // The last line of a command on standard error: what was made, and the paths of the outputs.
-// Nothing if it is quiet or on the screen.
-void sum_up(const Written& written, const std::string& what);
+// Nothing if it is quiet; nothing either if a set with points, or its report, is on the screen.
+void sum_up(const Written& written, const std::string& what, bool is_empty = false);
 // Prints the line.
 void print_last(const std::string& line);
 

@@ -100,6 +100,22 @@ std::string report_of(const Request& request, const Finished& made, const Json& 
     return text_of(report);
 }
 
+std::string report_of(const Json& request, const SpaceResult& result, const Finished& made) {
+    return text_of({{"program", "lacuna"},
+                    {"version", LACUNA_VERSION},
+                    {"request", request},
+                    {"count", result.points.size()},
+                    {"radius", result.radius},
+                    {"maximal", result.maximal},
+                    {"rounds", result.rounds},
+                    {"draws", result.draws},
+                    {"seconds", json_of(made.stopwatch, made.seconds)},
+                    {"backend", result.backend},
+                    {"device", result.device},
+                    {"peak_memory_bytes", peak_memory_bytes()},
+                    {"points_sha256", files::sha256_in_space(result.points)}});
+}
+
 std::string many_report(const Request& request, const ManyMade& made, const Json& decides) {
     Json asked = json_of(request, made.last);
     asked.update(decides);

@@ -37,6 +37,7 @@ Json json_of_importance(const pictures::Importance& importance);
 // report.
 std::string report_of(const Request& request, const Finished& made);
 std::string report_of(const Request& request, const Finished& made, const Json& more);
+std::string report_of(const Json& request, const SpaceResult& result, const Finished& made);
 
 // Sums over many sets of one request.
 struct ManyMade {
