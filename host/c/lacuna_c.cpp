@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "c/calls.h"
 #include "c/given.h"
 #include "checks/classes.h"
 #include "options/claim.h"
@@ -26,53 +27,23 @@
 #include "options/targets.h"
 #include "plan/checked_request.h"
 
-struct lacuna_set {
-    std::vector<lacuna::Point> points{};
-    std::vector<double> diameters{};
-    std::vector<unsigned char> layers{};
-    lacuna_facts facts{};
-};
-
 namespace lacuna {
 namespace {
 
-thread_local std::string error_of_thread;
-thread_local std::function<bool(double)> watch_of_thread;
-
-class Watched : public Observer {
-public:
-    bool keep_going(const Progress& progress) override {
-        const auto all = static_cast<double>(std::max<std::uint64_t>(1, progress.expected_points));
-        return !watch_ || watch_(std::min(1.0, static_cast<double>(progress.points) / all));
-    }
-
-private:
-    const std::function<bool(double)>& watch_ = watch_of_thread;
-};
-
-// Runs a function of the interface. What it throws becomes the thread's error, and `failed` is
-// returned.
-template <typename Call, typename Returned>
-Returned guarded(Returned failed, Call call) noexcept {
-    try {
-        error_of_thread.clear();
-        return call();
-    } catch (const std::exception& error) {
-        try {
-            error_of_thread = error.what();
-        } catch (const std::bad_alloc&) {
-            error_of_thread.clear();  // the text itself has no room
-        }
-    }
-    return failed;
-}
+using c::error_of_thread;
+using c::Watched;
 
 lacuna_set* set_of(const Request& request, Result result) {
     auto set = std::make_unique<lacuna_set>();
     set->points = std::move(result.points);
     set->layers = std::move(result.classes);
-    set->facts = {request.domain.width,   request.domain.height, result.radius,
-                  result.maximal ? 1 : 0, request.domain.x0,     request.domain.y0};
+    set->facts = {request.domain.width,
+                  request.domain.height,
+                  result.radius,
+                  result.maximal ? 1 : 0,
+                  request.domain.x0,
+                  request.domain.y0,
+                  0};
     return set.release();
 }
 
@@ -214,43 +185,45 @@ const char* lacuna_version(void) {
 }
 
 const char* lacuna_error(void) {
-    return lacuna::error_of_thread.c_str();
+    return lacuna::c::error_of_thread.c_str();
 }
 
 void lacuna_watch(int (*go_on)(double done, void* user), void* user) {
-    lacuna::watch_of_thread = nullptr;
+    lacuna::c::watch_of_thread = nullptr;
     if (go_on != nullptr)
-        lacuna::watch_of_thread = [=](double done) { return go_on(done, user) != 0; };
+        lacuna::c::watch_of_thread = [=](double done) { return go_on(done, user) != 0; };
 }
 
 lacuna_set* lacuna_sample(const char* options, const lacuna_given* given) {
-    return lacuna::guarded(static_cast<lacuna_set*>(nullptr),
-                           [&] { return lacuna::sampled(options, given); });
+    return lacuna::c::guarded(static_cast<lacuna_set*>(nullptr),
+                              [&] { return lacuna::sampled(options, given); });
 }
 
 lacuna_set* lacuna_stipple(const char* options, const void* picture, size_t bytes) {
-    return lacuna::guarded(static_cast<lacuna_set*>(nullptr),
-                           [&] { return lacuna::stippled(options, picture, bytes); });
+    return lacuna::c::guarded(static_cast<lacuna_set*>(nullptr),
+                              [&] { return lacuna::stippled(options, picture, bytes); });
 }
 
 lacuna_set* lacuna_relax(const char* options, const lacuna_given* given, const double* points,
                          size_t count) {
-    return lacuna::guarded(static_cast<lacuna_set*>(nullptr),
-                           [&] { return lacuna::relaxed(options, given, points, count); });
+    return lacuna::c::guarded(static_cast<lacuna_set*>(nullptr),
+                              [&] { return lacuna::relaxed(options, given, points, count); });
 }
 
 int lacuna_verify(const char* options, const lacuna_given* given, const double* points,
                   size_t count) {
-    return lacuna::guarded(-1, [&] { return lacuna::verified(options, given, points, count); });
+    return lacuna::c::guarded(-1, [&] { return lacuna::verified(options, given, points, count); });
 }
 
 size_t lacuna_count(const lacuna_set* set) {
-    return set == nullptr ? 0 : set->points.size();
+    return set == nullptr ? 0 : std::max(set->points.size(), set->in_space.size());
 }
 
 const double* lacuna_points(const lacuna_set* set) {
     static_assert(sizeof(lacuna::Point) == 2 * sizeof(double));
-    return lacuna_count(set) == 0 ? nullptr : &set->points.front().x;
+    static_assert(sizeof(lacuna::Point3) == 3 * sizeof(double));
+    if (lacuna_count(set) == 0) return nullptr;
+    return set->points.empty() ? &set->in_space.front().x : &set->points.front().x;
 }
 
 const double* lacuna_diameters(const lacuna_set* set) {

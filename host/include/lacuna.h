@@ -116,11 +116,41 @@ LACUNA_C_API lacuna_set* lacuna_relax(const char* options, const lacuna_given* g
 LACUNA_C_API int lacuna_verify(const char* options, const lacuna_given* given, const double* points,
                                size_t count);
 
+/* A surface of triangles. Holes, triangles without area, edges of three triangles and triangles
+ * that cross each other are as good as others. */
+typedef struct lacuna_mesh {
+    /* x, y and z of each vertex. */
+    const double* vertices;
+    size_t vertex_count;
+    /* The numbers of the three vertices of each triangle, from 0. */
+    const unsigned* triangles;
+    size_t triangle_count;
+    /* Whether points may lie on each triangle; NULL: on all. */
+    const unsigned char* allowed;
+} lacuna_mesh;
+
+/* Points on the surface of a mesh, as of `lacuna sample --on MESH OPTIONS`. Distances are straight
+ * through space. `kept` has x, y and z of points that are there already. NULL if it failed. */
+LACUNA_C_API lacuna_set* lacuna_sample_surface(const char* options, const lacuna_mesh* mesh,
+                                               const double* kept, size_t kept_count);
+
+/* Points in a box or a torus of three sides: "--domain WxHxD", 1x1x1 if there is none, and --torus.
+ * NULL if it failed. */
+LACUNA_C_API lacuna_set* lacuna_sample_volume(const char* options, const double* kept,
+                                              size_t kept_count);
+
+/* Proves what lacuna_verify() proves of points with x, y and z, on a mesh or, for NULL, in a
+ * volume. Returns what it returns. Options are --radius, --tolerance and --distances-only, for
+ * volumes
+ * --domain and --torus. */
+LACUNA_C_API int lacuna_verify_in_space(const char* options, const lacuna_mesh* mesh,
+                                        const double* points, size_t count);
+
 /* The number of points. 0 for NULL, as all that follows is NULL for NULL. */
 LACUNA_C_API size_t lacuna_count(const lacuna_set* set);
 
-/* x and y of each point, alternately, in the order in which files have them. These arrays are the
- * set's: valid until it is freed. */
+/* x and y of each point, alternately, in the order in which files have them; in space x, y and z.
+ * These arrays are the set's: valid until it is freed. */
 LACUNA_C_API const double* lacuna_points(const lacuna_set* set);
 
 /* The diameter of each dot in the domain's unit; NULL for a set that is not of lacuna_stipple(). */
@@ -132,8 +162,12 @@ LACUNA_C_API const double* lacuna_diameters(const lacuna_set* set);
  * in the order of --class. Points of all classes come mixed. */
 LACUNA_C_API const unsigned char* lacuna_layers(const lacuna_set* set);
 
+/* On a mesh the number of each point's triangle, from 0, except for those that were kept, which are
+ * the first ones; NULL for other sets. */
+LACUNA_C_API const unsigned* lacuna_triangles(const lacuna_set* set);
+
 typedef struct lacuna_facts {
-    /* Of the domain. */
+    /* Of the domain; 0 on a mesh. */
     double width;
     double height;
     /* The least distance that was kept or, of points that were moved, is found; 0: unknown. */
@@ -143,6 +177,8 @@ typedef struct lacuna_facts {
     /* The domain's lower left corner. */
     double x;
     double y;
+    /* Of a volume; 0 for other sets. */
+    double depth;
 } lacuna_facts;
 
 /* What is known of a set; all 0 for NULL. */

@@ -159,6 +159,48 @@ static void what_is_not_understood_is_refused(void) {
     lacuna_free(NULL);
 }
 
+static void sets_lie_on_meshes_and_in_volumes(void) {
+    /* A wedge: two squares. */
+    const double vertices[18] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 1, 2, 1, 1};
+    const unsigned triangles[12] = {0, 1, 2, 0, 2, 3, 1, 4, 5, 1, 5, 2};
+    const unsigned char allowed[4] = {1, 1, 0, 0};
+    const double kept[3] = {0.5, 0.5, 0};
+    lacuna_mesh mesh;
+    memset(&mesh, 0, sizeof(mesh));
+    mesh.vertices = vertices;
+    mesh.vertex_count = 6;
+    mesh.triangles = triangles;
+    mesh.triangle_count = 4;
+    lacuna_set* set = lacuna_sample_surface("--radius 0.1 --seed 3", &mesh, kept, 1);
+    EXPECT(lacuna_count(set) > 150 && memcmp(lacuna_points(set), kept, sizeof(kept)) == 0);
+    EXPECT(lacuna_triangles(set) != NULL && lacuna_triangles(set)[0] < 4);
+    EXPECT(lacuna_describe(set).maximal == 1 && lacuna_describe(set).width == 0);
+    const double* points = lacuna_points(set);
+    EXPECT(lacuna_verify_in_space("--radius 0.1", &mesh, points, lacuna_count(set)) == 1);
+    EXPECT(lacuna_verify_in_space("--radius 0.11", &mesh, points, lacuna_count(set)) == 0);
+    EXPECT(strstr(lacuna_error(), "apart, less than 0.11") != NULL);
+    EXPECT(lacuna_verify_in_space("--radius 0.09", &mesh, points, lacuna_count(set)) == 0);
+    EXPECT(strstr(lacuna_error(), "there is room for a point at (") != NULL);
+    EXPECT(lacuna_verify_in_space("--radius 0.1", NULL, points, lacuna_count(set)) == 0);
+    EXPECT(strstr(lacuna_error(), "outside of the volume") != NULL);
+    lacuna_free(set);
+    mesh.allowed = allowed;
+    set = lacuna_sample_surface("--count 50", &mesh, NULL, 0);
+    EXPECT(lacuna_count(set) == 50 && lacuna_triangles(set)[49] < 2);
+    lacuna_free(set);
+    expect_error(lacuna_sample_surface("--radius 0.1", NULL, NULL, 0), "mesh NULL: give one");
+    mesh.triangle_count = 0;
+    expect_error(lacuna_sample_surface("--radius 0.1", &mesh, NULL, 0), "without triangles");
+
+    set = lacuna_sample_volume("--radius 0.2 --domain 1x2x0.5 --torus", NULL, 0);
+    EXPECT(lacuna_describe(set).depth == 0.5 && lacuna_triangles(set) == NULL);
+    EXPECT(lacuna_verify_in_space("--radius 0.2 --domain 1x2x0.5 --torus", NULL, lacuna_points(set),
+                                  lacuna_count(set)) == 1);
+    lacuna_free(set);
+    expect_error(lacuna_sample_volume("--radius 0.2 --domain 1x2", NULL, 0), "1x2: must be WIDTHx");
+    expect_error(lacuna_sample_volume("--radius 0.2 --relax 3", NULL, 0), "command alone");
+}
+
 static int stop_halfway(double done, void* user) {
     double* const most = user;
     if (done > *most) *most = done;
@@ -184,6 +226,7 @@ int main(int count, char** arguments) {
     masks_say_where_points_may_lie();
     pictures_become_dots(arguments[1]);
     what_is_not_understood_is_refused();
+    sets_lie_on_meshes_and_in_volumes();
     calls_can_be_watched_and_stopped();
     if (failures == 0) printf("all is as lacuna.h says\n");
     return failures == 0 ? 0 : 1;

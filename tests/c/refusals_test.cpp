@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <lacuna.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <fstream>
 #include <string>
 
@@ -20,7 +22,11 @@ std::string refusal_of(const std::string& request) {
         const int verdict = lacuna_verify(options, nullptr, kPoints, 3);
         return verdict == -1 ? lacuna_error() : "accepted";
     }
-    lacuna_set* const set = command == "sample" ? lacuna_sample(options, nullptr)
+    const std::size_t domain = text.find("--domain ");
+    const std::string sides = text.substr(std::min(domain, text.size()), 20);
+    const bool has_depth = std::count(sides.begin(), sides.end(), 'x') == 2;
+    lacuna_set* const set = has_depth             ? lacuna_sample_volume(options, nullptr, 0)
+                            : command == "sample" ? lacuna_sample(options, nullptr)
                             : command == "stipple"
                                 ? lacuna_stipple(options, kPicture.data(), kPicture.size())
                                 : lacuna_relax(options, nullptr, kPoints, 3);

@@ -11,16 +11,14 @@
 namespace lacuna::cli {
 
 // Calls `work` and returns what it returns. A BadRequest of the mesh becomes a files::FileError
-// with its name, and one of the volume names --domain.
+// with its name.
 template <class Work>
 auto naming_mesh(const options::InSpace& space, const Work& work) {
     try {
-        return work();
+        return options::naming_domain(work);
     } catch (const BadRequest& error) {
-        if (error.option() == "mesh")
-            throw files::FileError(space.mesh + ": " + error.value() + ": " + error.reason());
-        if (error.option() != "volume") throw;
-        throw BadRequest("domain", error.value(), error.reason());
+        if (error.option() != "mesh") throw;
+        throw files::FileError(space.mesh + ": " + error.value() + ": " + error.reason());
     }
 }
 
