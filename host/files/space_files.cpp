@@ -15,11 +15,14 @@
 #include "files/npy.h"
 #include "files/text_lines.h"
 
-namespace lacuna::files {
+namespace lacuna::drawing {
+std::string draw_in_space(const files::SetInSpace& set);  // drawing/space.cpp
+}
 
+namespace lacuna::files {
 namespace {
 
-constexpr std::string_view kFormatsInSpace = ".txt .csv .npy .ply .json";
+constexpr std::string_view kFormatsInSpace = ".txt .csv .npy .ply .json .png";
 
 // The coordinates of each point with `between` between them; then the normal and the triangle, if
 // that is wanted and the set has them.
@@ -128,7 +131,7 @@ std::string encode(const SetInSpace& set, const Format& format) {
     if (name == "csv") return csv_of(set);
     if (name == "npy") return npy_of(set);
     if (name == "ply") return ply_of(set);
-    return json_of(set);
+    return name == "json" ? json_of(set) : drawing::draw_in_space(set);
 }
 
 }  // namespace lacuna::files

@@ -37,6 +37,9 @@ void check_in_space(const Format& format, const std::string& path);
 //             that were kept they are 0, 0, 0 and -1
 //   json      the same as "normals" and "triangles" before "points", and the members of Origin; of
 //             a volume width, height, depth and boundary
+//   png       three views side by side: from the right, from the front and from above, which is
+//             where x, -y and z point. On a mesh hidden points are left out; in a volume points
+//             fade with their depth
 // Throws what check_in_space() throws, and FileError.
 std::string encode(const SetInSpace& set, const Format& format);
 

@@ -116,8 +116,9 @@ def domain_in(name: str, value: object) -> Extent:
     if len(given) == 2:
         return real(name, given[0]), real(name, given[1])
     if len(given) != 4:
+        of_space = "; sample_volume and verify_volume have three sides" if len(given) == 3 else ""
         raise TypeError(
-            f"{name} must be (width, height) or (x0, y0, x1, y1), not {shown(value)}"
+            f"{name} must be (width, height) or (x0, y0, x1, y1), not {shown(value)}{of_space}"
         )
     x0, y0, x1, y1 = (real(name, one) for one in given)
     if not (x0 < x1 and y0 < y1):

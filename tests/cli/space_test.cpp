@@ -4,12 +4,14 @@
 #include <lacuna/domains.h>
 #include <lacuna/space.h>
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "expectations.h"
 #include "files/read_points.h"
+#include "pictures/image.h"
 #include "program.h"
 #include "required.h"
 
@@ -84,6 +86,23 @@ TEST_F(InSpace, EveryFileHoldsTheSet) {
     expect_has(content_of(folder_.path("a.ply")), {"property double nz\nproperty int triangle\n"});
     expect_one_error(run({"sample", "--on", mesh_, "--radius", "1", "-o", folder_.path("a.pdf")}),
                      2, {"a.pdf: has no place for three coordinates"});
+}
+
+TEST_F(InSpace, APictureHasThreeViewsWithoutHiddenPoints) {
+    const std::string png = folder_.path("a.png");
+    // A square far above the wedge hides it from above: the third view.
+    write_file(mesh_, kWedge + "v 0 0 2\nv 2 0 2\nv 2 1 2\nv 0 1 2\nf 7 8 9 10\n");
+    write_file(folder_.path("kept.csv"), "x,y,z\n0.5,0.5,0\n0.5,0.25,2\n");
+    expect_success({"sample", "--on", mesh_, "--radius", "0.2", "--keep", folder_.path("kept.csv"),
+                    "--limit", "2", "--quiet", "-o", png});
+    const auto picture = pictures::read_image(png);
+    EXPECT_EQ(picture.columns, 240U + 440 + 440);  // sides 1, 2 and 2, and 20 pixels around each
+    ASSERT_EQ(picture.rows, 440U);
+    const auto is_dark = [&](std::size_t column, std::size_t row) {
+        return picture.luminance[row * picture.columns + column] < 0.1;
+    };
+    EXPECT_TRUE(is_dark(680 + 20 + 100, 100 + 20 + 150));   // (0.5, 0.25, 2) from above
+    EXPECT_FALSE(is_dark(680 + 20 + 100, 100 + 20 + 100));  // (0.5, 0.5, 0) lies below it
 }
 
 TEST_F(InSpace, AJsonSaysWhatItsSetWasMadeWith) {

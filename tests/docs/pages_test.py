@@ -31,6 +31,7 @@ COUNTS = {
         ("74,584 in cells", "stipple examples/raccoon.png --scale 0.002 --relax 0")],
     "docs/domains.md": [("`: 2,628 points.", "sample --inside examples/lakes.svg --radius 1 --border 1"),
                         ("Its 5,213 dots", "sample --field examples/raccoon.png --scale 0.008")],
+    "docs/space.md": [("1,768 points of radius 0.08", "sample --on examples/knot.obj --radius 0.08")],
     "docs/placement.md": [
         ("9,320 points", "sample --class trees:1.8 --class bushes:0.8:2 --class grass:0.25:0.2 "
          "--outside examples/glade.svg")],
