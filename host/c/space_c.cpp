@@ -51,14 +51,9 @@ public:
         if (given != nullptr) {
             space.mesh = "the mesh";
             mesh = mesh_of(*given);
-        } else if (!space.volume) {
-            if (line.has("domain"))
-                throw BadRequest(
-                    "domain", shortest(plane_.domain.width) + "x" + shortest(plane_.domain.height),
-                    "must be WIDTHxHEIGHTxDEPTH of a volume");
-            space.volume.emplace();
         }
         options::refuse_options_of_plane(line, space);
+        if (given == nullptr && !space.volume) space.volume.emplace();
     }
 
 private:

@@ -51,7 +51,9 @@ void refuse_options_of_plane(const CommandLine& line, const InSpace& space) {
                              : space.volume      ? "with a --domain of three sides"
                                                  : "with points in space";
     for (const auto& [name, values] : line.given) {
-        const bool is_of_plane = std::find(kOptionsInSpace.begin(), kOptionsInSpace.end(), name) ==
+        const bool has_two_sides = name == "domain" && space.mesh.empty() && !space.volume;
+        const bool is_of_plane =
+            has_two_sides || std::find(kOptionsInSpace.begin(), kOptionsInSpace.end(), name) ==
                                  kOptionsInSpace.end();
         const bool is_of_volume = name == "domain" || name == "torus";
         if (!is_of_plane && (space.mesh.empty() || !is_of_volume)) continue;

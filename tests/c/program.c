@@ -197,7 +197,8 @@ static void sets_lie_on_meshes_and_in_volumes(void) {
     EXPECT(lacuna_verify_in_space("--radius 0.2 --domain 1x2x0.5 --torus", NULL, lacuna_points(set),
                                   lacuna_count(set)) == 1);
     lacuna_free(set);
-    expect_error(lacuna_sample_volume("--radius 0.2 --domain 1x2", NULL, 0), "1x2: must be WIDTHx");
+    expect_error(lacuna_sample_volume("--radius 0.2 --domain 1x2", NULL, 0),
+                 "1x2 with points in space");
     expect_error(lacuna_sample_volume("--radius 0.2 --relax 3", NULL, 0), "command alone");
 }
 

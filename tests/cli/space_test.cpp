@@ -112,6 +112,7 @@ TEST_F(InSpace, AJsonSaysWhatItsSetWasMadeWith) {
     expect_one_error(run({"verify", json}), 2, {"made with --on", "give that too"});
     made({"--domain", "1x1x0.5", "--torus", "--radius", "0.2"}, "a.json");
     expect_verdict({json}, 0, "a maximal");
+    expect_one_error(run({"verify", json, "--domain", "2x1"}), 2, {"2x1 with points in space"});
     made({"--domain", "1x1x0.5", "--count", "100"}, "a.json");
     expect_verdict({json}, 1, "the file says that it is not: see --distances-only");
     const Outcome report = run({"verify", json, "--distances-only", "--json"});
