@@ -1,22 +1,18 @@
 // The functions of lacuna.h for sets in space.
 #include <lacuna.h>
 
-#include <cstdint>
+#include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "base/number_text.h"
 #include "c/calls.h"
 #include "options/read_text.h"
 #include "options/space.h"
 
 namespace lacuna {
 namespace {
-
-using c::error_of_thread;
 
 std::vector<Point3> points_in_space(const char* name, const double* xyz, std::size_t count) {
     if (xyz == nullptr && count != 0)
@@ -38,39 +34,19 @@ Mesh mesh_of(const lacuna_mesh& given) {
     return mesh;
 }
 
-// What a text of options asks for on a mesh or, without one, in a volume.
-class Asked {
-public:
-    Asked(options::Commands command, const char* text, const lacuna_mesh* given) {
-        options::Targets targets = options::targets_of(space);
-        targets.merge(options::targets_of(plane_));
-        targets["tolerance"] = &tolerance;
-        targets["distances-only"] = &distances_only;
-        targets.erase("on");
-        const options::CommandLine line = options::read_text(command, text, targets);
-        if (given != nullptr) {
-            space.mesh = "the mesh";
-            mesh = mesh_of(*given);
-        }
-        options::refuse_options_of_plane(line, space);
-        if (given == nullptr && !space.volume) space.volume.emplace();
-    }
-
-private:
-    Request plane_;
-
-public:
-    options::InSpace space{plane_};
-    Mesh mesh;
-    std::optional<double> tolerance;
-    bool distances_only = false;
-};
-
 lacuna_set* sampled_in_space(const char* options, const lacuna_mesh* mesh, const double* kept,
                              std::size_t kept_count) {
-    const Asked asked(options::kSample, options, mesh);
-    SpaceRequest request = options::request_of(asked.space);
-    if (mesh != nullptr) request.mesh = &asked.mesh;
+    Request plane;
+    options::InSpace space{plane};
+    options::Targets targets = options::targets_of(space);
+    targets.merge(options::targets_of(plane));
+    targets.erase("on");
+    const options::CommandLine line = options::read_text(options::kSample, options, targets);
+    if (mesh != nullptr) space.mesh = "the mesh";
+    options::refuse_options_of_plane(line, space);
+    SpaceRequest request = options::request_of(space);
+    const Mesh surface = mesh != nullptr ? mesh_of(*mesh) : Mesh();
+    if (mesh != nullptr) request.mesh = &surface;
     if (mesh != nullptr && mesh->allowed != nullptr)
         request.allowed = {mesh->allowed, mesh->triangle_count};
     const std::vector<Point3> all_kept = points_in_space("keep", kept, kept_count);
@@ -91,43 +67,6 @@ lacuna_set* sampled_in_space(const char* options, const lacuna_mesh* mesh, const
     return set.release();
 }
 
-// What the set lacks; empty if it is as claimed.
-std::string lack_of(const SpaceProof& proof, const SpaceClaim& claim) {
-    if (proof.outside)
-        return "point " + std::to_string(*proof.outside) + ", numbered from 0, lies " +
-               (claim.mesh != nullptr ? "off the mesh" : "outside of the volume");
-    if (!proof.kept)
-        return "points " + std::to_string(proof.first) + " and " + std::to_string(proof.second) +
-               ", numbered from 0, are " + shortest(proof.least_distance) + " apart, less than " +
-               shortest(claim.radius);
-    if (claim.distances_only || proof.maximal) return "";
-    if (proof.covered)
-        return "not proven maximal, as the tolerance is over 1 % of the radius: " +
-               shortest(proof.tolerance);
-    const auto& [x, y, z] = proof.largest_gap;
-    return "there is room for a point at (" + shortest(x) + ", " + shortest(y) + ", " +
-           shortest(z) + "), " + shortest(proof.largest_gap_distance) + " from the nearest one";
-}
-
-int verified_in_space(const char* options, const lacuna_mesh* mesh, const double* points,
-                      std::size_t count) {
-    const Asked asked(options::kVerify, options, mesh);
-    const SpaceRequest request = options::request_of(asked.space);
-    if (!request.radius)
-        throw BadRequest("radius", "missing", "give the distance that points should keep");
-    const SpaceClaim claim{.mesh = mesh != nullptr ? &asked.mesh : nullptr,
-                           .volume = request.volume,
-                           .radius = *request.radius,
-                           .tolerance = asked.tolerance,
-                           .distances_only = asked.distances_only};
-    c::Watched observer;
-    const SpaceProof proof = prove(points_in_space("points", points, count), claim, [&] {
-        return observer.keep_going({0, 1, 0});
-    });
-    error_of_thread = lack_of(proof, claim);
-    return error_of_thread.empty() ? 1 : 0;
-}
-
 }  // namespace
 }  // namespace lacuna
 
@@ -142,16 +81,7 @@ lacuna_set* lacuna_sample_surface(const char* options, const lacuna_mesh* mesh, 
 
 lacuna_set* lacuna_sample_volume(const char* options, const double* kept, size_t kept_count) {
     return lacuna::c::guarded(static_cast<lacuna_set*>(nullptr), [&] {
-        return lacuna::options::naming_domain(
-            [&] { return lacuna::sampled_in_space(options, nullptr, kept, kept_count); });
-    });
-}
-
-int lacuna_verify_in_space(const char* options, const lacuna_mesh* mesh, const double* points,
-                           size_t count) {
-    return lacuna::c::guarded(-1, [&] {
-        return lacuna::options::naming_domain(
-            [&] { return lacuna::verified_in_space(options, mesh, points, count); });
+        return lacuna::sampled_in_space(options, nullptr, kept, kept_count);
     });
 }
 

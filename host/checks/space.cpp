@@ -42,10 +42,10 @@ void check_volume(const Volume& volume) {
         shortest(volume.width) + "x" + shortest(volume.height) + "x" + shortest(volume.depth);
     for (const double side : {volume.width, volume.height, volume.depth})
         if (!(side >= 1e-100 && side <= 1e100))
-            throw BadRequest("volume", text, "the sides must lie between 1e-100 and 1e100");
+            throw BadRequest("domain", text, "the sides must lie between 1e-100 and 1e100");
     if (longest > kLargestAspect * shortest_side)
         throw BadRequest(
-            "volume", text,
+            "domain", text,
             "the longest side may be at most " + shortest(kLargestAspect) + " times the shortest");
 }
 

@@ -46,6 +46,7 @@ std::string mesh_format_of(const std::string& name) {
 
 #include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -119,68 +120,49 @@ void append(const aiScene& scene, const aiNode& node, const aiMatrix4x4& outer, 
 
 // In the other process, which ends soon: nothing is freed.
 Mesh mesh_of(const aiScene* scene) {
-    if (scene == nullptr)
-        throw Error(std::string("assimp cannot read it: ") + Assimp::loaded().error());
+    if (scene == nullptr) {
+        const std::string why = Assimp::loaded().error();
+        throw Error("assimp cannot read it: " +
+                    (why == "std::bad_alloc" ? "it asks for too much memory" : why));
+    }
     Mesh mesh;
     append(*scene, *scene->mRootNode, aiMatrix4x4(), mesh);
     if (mesh.triangles.empty()) throw Error("has no triangle: points and lines are no surface");
     return mesh;
 }
 
-void send(int pipe, const void* from, std::size_t size) {
-    const char* bytes = static_cast<const char*>(from);
-    while (size > 0) {
-        const ssize_t sent = ::write(pipe, bytes, size);
-        if (sent < 0 && errno == EINTR) continue;
-        if (sent <= 0) ::_exit(1);
-        bytes += sent;
-        size -= static_cast<std::size_t>(sent);
-    }
+void append_bytes(std::string& to, const void* from, std::size_t size) {
+    to.append(static_cast<const char*>(from), size);
 }
 
-// Of processor time: assimp may be in a loop without end. A file of 1 GB takes minutes.
-constexpr rlim_t kMostSeconds = 3600;
-
-// Sends the numbers of vertices and triangles, and then these; or 0, 0 and what is wrong.
-template <class Import>
-[[noreturn]] void import_and_send(int pipe, const Import& import) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    const rlimit seconds{kMostSeconds, kMostSeconds};
-    ::setrlimit(RLIMIT_CPU, &seconds);
-    if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0)
-        ::dup2(nowhere, STDERR_FILENO);  // where assertions print
-    Mesh mesh;
-    std::string fault;
-    try {
-        mesh = mesh_of(import());
-    } catch (const std::exception& error) {
-        mesh = {};
-        fault = error.what();
-    }
-    const std::array<std::uint64_t, 2> sizes{mesh.vertices.size(), mesh.triangles.size()};
-    send(pipe, sizes.data(), sizeof sizes);
-    send(pipe, mesh.vertices.data(), mesh.vertices.size() * sizeof(Point3));
-    send(pipe, mesh.triangles.data(), mesh.triangles.size() * sizeof mesh.triangles[0]);
-    send(pipe, fault.data(), fault.size());
-    ::_exit(0);
+// What the other process writes: 'm', the numbers of vertices and triangles, and these; or 'e' and
+// what is wrong.
+std::string answer_of(const aiScene* scene) try {
+    const Mesh mesh = mesh_of(scene);
+    const std::array<std::size_t, 2> sizes{mesh.vertices.size(), mesh.triangles.size()};
+    std::string answer = "m";
+    append_bytes(answer, sizes.data(), sizeof sizes);
+    append_bytes(answer, mesh.vertices.data(), mesh.vertices.size() * sizeof(Point3));
+    append_bytes(answer, mesh.triangles.data(), mesh.triangles.size() * sizeof mesh.triangles[0]);
+    return answer;
+} catch (const std::exception& error) {
+    return std::string("e") + error.what();
 }
 
 // The process that imports, and the end of its pipe that is read. It ends with this object.
 class Child {
 public:
     template <class Import>
-    explicit Child(const std::string& name, const Import& import) {
+    Child(const std::string& name, rlim_t seconds, const Import& import) {
         std::array<int, 2> ends{};
-        if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(name);
-        pid_ = ::fork();
-        if (pid_ == 0) import_and_send(ends[1], import);
-        const int error = errno;
-        ::close(ends[1]);
+        if (::pipe2(ends.data(), O_CLOEXEC) == 0) pid_ = ::fork();
+        if (pid_ == 0) answer(ends[1], seconds, import);
+        const std::string why = std::generic_category().message(errno);
+        if (ends[1] != 0) ::close(ends[1]);
         pipe_ = ends[0];
         if (pid_ > 0) return;
-        ::close(pipe_);
-        errno = error;
-        fail(name);
+        if (pipe_ != 0) ::close(pipe_);
+        files::refuse(name, "no process for assimp: " + why);
     }
     ~Child() {
         ::kill(pid_, SIGKILL);
@@ -190,26 +172,41 @@ public:
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    // Reads up to `size` bytes; returns how many there were before the end.
-    std::size_t receive(void* to, std::size_t size) const {
+    // All that it writes.
+    std::string answer() const {
         constexpr int kMilliseconds = 20;  // between two questions whether to go on
-        char* const bytes = static_cast<char*>(to);
-        std::size_t got = 0;
-        while (got < size) {
+        std::string all;
+        std::array<char, 1U << 16U> part{};
+        for (;;) {
             ask();
             pollfd ready{pipe_, POLLIN, 0};
             if (::poll(&ready, 1, kMilliseconds) == 0) continue;
-            const ssize_t more = ::read(pipe_, bytes + got, size - got);
-            if (more < 0 && errno == EINTR) continue;
-            if (more <= 0) break;
-            got += static_cast<std::size_t>(more);
+            const ssize_t got = ::read(pipe_, part.data(), part.size());
+            if (got < 0 && errno == EINTR) continue;
+            if (got <= 0) return all;
+            all.append(part.data(), static_cast<std::size_t>(got));
         }
-        return got;
     }
 
 private:
-    [[noreturn]] static void fail(const std::string& name) {
-        files::refuse(name, "no process for assimp: " + std::generic_category().message(errno));
+    template <class Import>
+    [[noreturn]] static void answer(int pipe, rlim_t seconds, const Import& import) {
+        const rlimit most{seconds, seconds};
+        ::setrlimit(RLIMIT_CPU, &most);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which reserve terabytes
+        const rlimit half{2 * files::most_bytes(), 2 * files::most_bytes()};
+        ::setrlimit(RLIMIT_DATA, &half);
+#endif
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0)
+            ::dup2(nowhere, STDERR_FILENO);  // where assertions print
+        const std::string all = answer_of(import());
+        for (std::size_t sent = 0; sent < all.size();) {
+            const ssize_t more = ::write(pipe, all.data() + sent, all.size() - sent);
+            if (more < 0 && errno != EINTR) break;
+            sent += static_cast<std::size_t>(std::max<ssize_t>(0, more));
+        }
+        ::_exit(0);
     }
 
     pid_t pid_ = -1;
@@ -217,25 +214,26 @@ private:
 };
 
 template <class Import>
-Mesh imported(const std::string& name, const Import& import) {
-    const Child child(name, import);
-    std::array<std::uint64_t, 2> sizes{};
-    Mesh mesh;
-    const auto receive_all = [&](void* to, std::size_t size) {
-        if (child.receive(to, size) != size)
-            files::refuse(name, "assimp cannot read it, and fails without a reason");
-    };
-    receive_all(sizes.data(), sizeof sizes);
-    if (sizes[1] == 0) {
-        std::string why(1000, '\0');
-        why.resize(child.receive(why.data(), why.size()));
-        std::replace(why.begin(), why.end(), '\n', ' ');
-        files::refuse(name, why);
+Mesh imported(const std::string& name, std::size_t bytes, const Import& import) {
+    // Of processor: assimp may be in a loop without end. It reads over 1 MB/s.
+    const rlim_t most_seconds = 60 + bytes / 100000;
+    std::string answer = Child(name, most_seconds, import).answer();
+    if (answer.starts_with('e')) {
+        std::replace(answer.begin(), answer.end(), '\n', ' ');
+        files::refuse(name, answer.substr(1));
     }
+    std::array<std::size_t, 2> sizes{};
+    constexpr std::size_t kBegin = 1 + sizeof sizes;
+    if (answer.size() >= kBegin) std::memcpy(sizes.data(), &answer[1], sizeof sizes);
+    const std::size_t of_vertices = sizes[0] * sizeof(Point3);
+    const std::size_t of_triangles = sizes[1] * sizeof(Mesh::triangles[0]);
+    if (answer.size() != kBegin + of_vertices + of_triangles)
+        files::refuse(name, "assimp cannot read it, and fails without a reason");
+    Mesh mesh;
     mesh.vertices.resize(sizes[0]);
     mesh.triangles.resize(sizes[1]);
-    receive_all(mesh.vertices.data(), sizes[0] * sizeof(Point3));
-    receive_all(mesh.triangles.data(), sizes[1] * sizeof mesh.triangles[0]);
+    std::memcpy(mesh.vertices.data(), &answer[kBegin], of_vertices);
+    std::memcpy(mesh.triangles.data(), &answer[kBegin + of_vertices], of_triangles);
     return mesh;
 }
 
@@ -265,7 +263,7 @@ Mesh decode_mesh(std::string_view bytes, const std::string& name) {
     if (bytes.size() > std::numeric_limits<unsigned>::max())
         files::refuse(name, "has over 4294967295 bytes, more than assimp reads");
     if (format == "ply") check_header_of_ply(bytes, name);
-    return imported(name, [&] {
+    return imported(name, bytes.size(), [&] {
         return assimp.import_bytes(bytes.data(), static_cast<unsigned>(bytes.size()), kSteps,
                                    format.c_str());
     });
@@ -277,7 +275,7 @@ Mesh read_mesh(const std::string& path) {
     const std::string bytes = files::read_whole(path);
     if (format != "gltf") return decode_mesh(bytes, path);
     // Its numbers may lie in a file beside it.
-    return imported(path, [&] { return assimp.import_file(path.c_str(), kSteps); });
+    return imported(path, bytes.size(), [&] { return assimp.import_file(path.c_str(), kSteps); });
 }
 
 }  // namespace lacuna

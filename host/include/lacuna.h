@@ -139,13 +139,6 @@ LACUNA_C_API lacuna_set* lacuna_sample_surface(const char* options, const lacuna
 LACUNA_C_API lacuna_set* lacuna_sample_volume(const char* options, const double* kept,
                                               size_t kept_count);
 
-/* Proves what lacuna_verify() proves of points with x, y and z, on a mesh or, for NULL, in a
- * volume. Returns what it returns. Options are --radius, --tolerance and --distances-only, for
- * volumes
- * --domain and --torus. */
-LACUNA_C_API int lacuna_verify_in_space(const char* options, const lacuna_mesh* mesh,
-                                        const double* points, size_t count);
-
 /* The number of points. 0 for NULL, as all that follows is NULL for NULL. */
 LACUNA_C_API size_t lacuna_count(const lacuna_set* set);
 

@@ -25,17 +25,6 @@ Targets targets_of(InSpace& space);
 // Throws BadRequest for an option that sets in space do not have.
 void refuse_options_of_plane(const CommandLine& line, const InSpace& space);
 
-// Calls `work` and returns what it returns. A BadRequest of the volume names the option domain.
-template <class Work>
-auto naming_domain(const Work& work) {
-    try {
-        return work();
-    } catch (const BadRequest& error) {
-        if (error.option() != "volume") throw;
-        throw BadRequest("domain", error.value(), error.reason());
-    }
-}
-
 // The radius, the count and other numbers of the request, and the volume.
 SpaceRequest request_of(const InSpace& space);
 

@@ -155,7 +155,7 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
                 **self._place,
             )
         except BadRequest as error:
-            if error.argument not in ("domain", "volume"):
+            if error.argument != "domain":
                 raise
             value = f"less l_bounds, {error.value}"
             raise BadRequest("u_bounds", value, error.reason) from None

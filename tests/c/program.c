@@ -159,6 +159,18 @@ static void what_is_not_understood_is_refused(void) {
     lacuna_free(NULL);
 }
 
+static double least_distance_in_space(const lacuna_set* set) {
+    const double* points = lacuna_points(set);
+    double least = 1e9;
+    size_t i, k;
+    for (i = 0; i < lacuna_count(set); ++i)
+        for (k = 0; k < i; ++k)
+            least = fmin(least, hypot(hypot(points[3 * i] - points[3 * k],
+                                            points[3 * i + 1] - points[3 * k + 1]),
+                                      points[3 * i + 2] - points[3 * k + 2]));
+    return least;
+}
+
 static void sets_lie_on_meshes_and_in_volumes(void) {
     /* A wedge: two squares. */
     const double vertices[18] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 1, 2, 1, 1};
@@ -175,14 +187,7 @@ static void sets_lie_on_meshes_and_in_volumes(void) {
     EXPECT(lacuna_count(set) > 150 && memcmp(lacuna_points(set), kept, sizeof(kept)) == 0);
     EXPECT(lacuna_triangles(set) != NULL && lacuna_triangles(set)[0] < 4);
     EXPECT(lacuna_describe(set).maximal == 1 && lacuna_describe(set).width == 0);
-    const double* points = lacuna_points(set);
-    EXPECT(lacuna_verify_in_space("--radius 0.1", &mesh, points, lacuna_count(set)) == 1);
-    EXPECT(lacuna_verify_in_space("--radius 0.11", &mesh, points, lacuna_count(set)) == 0);
-    EXPECT(strstr(lacuna_error(), "apart, less than 0.11") != NULL);
-    EXPECT(lacuna_verify_in_space("--radius 0.09", &mesh, points, lacuna_count(set)) == 0);
-    EXPECT(strstr(lacuna_error(), "there is room for a point at (") != NULL);
-    EXPECT(lacuna_verify_in_space("--radius 0.1", NULL, points, lacuna_count(set)) == 0);
-    EXPECT(strstr(lacuna_error(), "outside of the volume") != NULL);
+    EXPECT(least_distance_in_space(set) >= 0.1 && least_distance_in_space(set) < 0.11);
     lacuna_free(set);
     mesh.allowed = allowed;
     set = lacuna_sample_surface("--count 50", &mesh, NULL, 0);
@@ -194,8 +199,7 @@ static void sets_lie_on_meshes_and_in_volumes(void) {
 
     set = lacuna_sample_volume("--radius 0.2 --domain 1x2x0.5 --torus", NULL, 0);
     EXPECT(lacuna_describe(set).depth == 0.5 && lacuna_triangles(set) == NULL);
-    EXPECT(lacuna_verify_in_space("--radius 0.2 --domain 1x2x0.5 --torus", NULL, lacuna_points(set),
-                                  lacuna_count(set)) == 1);
+    EXPECT(lacuna_count(set) > 80 && least_distance_in_space(set) >= 0.2);
     lacuna_free(set);
     expect_error(lacuna_sample_volume("--radius 0.2 --domain 1x2", NULL, 0),
                  "1x2 with points in space");

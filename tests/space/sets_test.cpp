@@ -157,7 +157,7 @@ TEST(RequestsInSpace, ThatMakeNoSenseAreRefused) {
               "keep points that are closer than 1");
     EXPECT_EQ(refusal({.mesh = &mesh, .radius = 1, .keep = far}), "keep point 0");
     EXPECT_EQ(refusal({.volume = {1, 1, 0.5, Boundary::torus}, .radius = 0.6}), "radius 0.6");
-    EXPECT_EQ(refusal({.volume = {1, 2000, 1}, .radius = 0.1}), "volume 1x2000x1");
+    EXPECT_EQ(refusal({.volume = {1, 2000, 1}, .radius = 0.1}), "domain 1x2000x1");
     EXPECT_EQ(refusal({.radius = 0.00001}), "radius 1e-05");
     EXPECT_EQ(refusal({.radius = 0.1, .run_on = {.backend = "none"}}), "backend none");
     EXPECT_EQ(refusal({.radius = 0.1, .run_on = {.threads = 1025}}), "threads 1025");

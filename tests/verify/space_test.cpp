@@ -123,7 +123,7 @@ TEST(ClaimsInSpace, ThatMakeNoSenseAreRefused) {
         return tests::refusal_of([&] { prove(points, claim); }).substr(0, 14);
     };
     EXPECT_EQ(refusal({.mesh = &mesh}, {}), "radius 0: must");
-    EXPECT_EQ(refusal({.volume = {1, NAN, 1}, .radius = 1}, {}), "volume 1xnanx1");
+    EXPECT_EQ(refusal({.volume = {1, NAN, 1}, .radius = 1}, {}), "domain 1xnanx1");
     EXPECT_EQ(refusal({.mesh = &mesh, .radius = 1}, {{0, 0, 0}, {0, NAN, 0}}), "points point 1");
     mesh.triangles.push_back({0, 3, 1});
     EXPECT_EQ(refusal({.mesh = &mesh, .radius = 1}, {}), "mesh triangle ");

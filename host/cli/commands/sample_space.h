@@ -15,7 +15,7 @@ namespace lacuna::cli {
 template <class Work>
 auto naming_mesh(const options::InSpace& space, const Work& work) {
     try {
-        return options::naming_domain(work);
+        return work();
     } catch (const BadRequest& error) {
         if (error.option() != "mesh") throw;
         throw files::FileError(space.mesh + ": " + error.value() + ": " + error.reason());

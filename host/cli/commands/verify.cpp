@@ -3,7 +3,6 @@
 #include "cli/commands/verify_space.h"
 
 #include <fmt/core.h>
-#include <lacuna/domains.h>
 #include <lacuna/lacuna.h>
 #include <lacuna/verify.h>
 
@@ -223,11 +222,9 @@ std::string fault_in_levels(const SetClaim& claim) {
 }
 
 // Prints the verdicts. Throws CheckFailed if one of them does not hold.
-template <class SomeClaim>
-void conclude(const VerifyCommand& options, const std::vector<SomeClaim>& claims) {
-    if (!options.quiet) files::write_whole("-", options.json ? json_of(claims) : text_of(claims));
-    if (!std::all_of(claims.begin(), claims.end(), [](const auto& claim) { return claim.holds(); }))
-        throw CheckFailed();
+void conclude(const VerifyCommand& options, const std::string& report, bool all_hold) {
+    if (!options.quiet) files::write_whole("-", report);
+    if (!all_hold) throw CheckFailed();
 }
 
 void run_in_space(const CommandLine& line, const VerifyCommand& options,
@@ -235,13 +232,10 @@ void run_in_space(const CommandLine& line, const VerifyCommand& options,
     Request request = options.request;
     if (options.torus) request.domain.boundary = Boundary::torus;
     const options::InSpace space{request, options.space.mesh, options.space.volume};
-    const Mesh mesh = space.mesh.empty() ? Mesh() : read_mesh(space.mesh);
-    std::vector<std::string> names;
-    for (const std::string& path : options.files) names.push_back(files::name_of(path));
-    conclude(options,
-             proven_in_space(
-                 line, {space, options.tolerance, options.distances_only, options.domain.keep},
-                 mesh, names, all));
+    const auto [report, all_hold] =
+        verified_in_space(line, {space, options.tolerance, options.distances_only, options.json,
+                                 options.domain.keep, options.files, all});
+    conclude(options, report, all_hold);
 }
 
 void run(const CommandLine& line, const VerifyCommand& options) {
@@ -263,14 +257,16 @@ void run(const CommandLine& line, const VerifyCommand& options) {
     std::vector<SetClaim> claims;
     for (std::size_t i = 0; i < all.size(); ++i)
         claims.push_back(claim_of(line, options, given, all[i], files::name_of(options.files[i])));
+    bool all_hold = true;
     for (SetClaim& claim : claims) {
         // Now that `claims` does not move its elements any more.
         claim.class_of_points = claim.own_classes;
         claim.keep_classes = claim.classes_of_keep;
         claim.proof = prove(claim.points, claim);
         if (claim.holds()) claim.fault = fault_in_levels(claim);
+        all_hold = all_hold && claim.holds();
     }
-    conclude(options, claims);
+    conclude(options, options.json ? json_of(claims) : text_of(claims), all_hold);
 }
 
 // Where the value of each option goes.
