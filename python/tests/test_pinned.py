@@ -26,7 +26,7 @@ def test_the_bytes_are_pinned(pinned: str, request_: str, tmp_path: Path) -> Non
     path = tmp_path / "set.npy"
     if isinstance(made, lacuna.PointSet):
         made.save(path)
-    elif isinstance(made, lacuna.Relaxed):
+    elif isinstance(made, (lacuna.Relaxed, lacuna.SpaceSet)):
         np.save(path, made.points)
     else:  # a mask of thresholds
         path.write_bytes(made.astype("<u4").tobytes())

@@ -28,8 +28,10 @@ def number(word: str) -> Any:
 
 
 def sides(word: str) -> tuple[Any, ...]:
-    """(width, height), or the corners of X0,Y0+WIDTHxHEIGHT."""
+    """(width, height), or with a depth, or the corners of X0,Y0+WIDTHxHEIGHT."""
     corner, _, size = word.rpartition("+") if "," in word else ("", "", word)
+    if size.count("x") == 2:
+        return tuple(map(number, size.split("x")))
     width, height = map(number, size.split("x"))
     x, y = map(number, corner.split(",")) if corner else (0, 0)
     return (x, y, x + width, y + height) if corner else (width, height)
@@ -127,5 +129,7 @@ def call_of(request: str, folder: Path) -> Callable[[], Any]:
                 if isinstance(value, (dict, list)) and key in named:
                     value = named[key] + value if isinstance(value, list) else named[key] | value
                 named[key] = value
+    if len(named.get("domain", ())) == 3:
+        command = "sample_volume"
     function = getattr(lacuna, CALLS.get(command, command))
     return lambda: function(*arguments, **named)

@@ -13,7 +13,8 @@ lacuna = ctypes.CDLL(library)
 
 class Facts(ctypes.Structure):
     _fields_ = [("width", ctypes.c_double), ("height", ctypes.c_double),
-                ("radius", ctypes.c_double), ("maximal", ctypes.c_int)]
+                ("radius", ctypes.c_double), ("maximal", ctypes.c_int),
+                ("x", ctypes.c_double), ("y", ctypes.c_double), ("depth", ctypes.c_double)]
 
 
 class Given(ctypes.Structure):
@@ -21,7 +22,8 @@ class Given(ctypes.Structure):
                 ("rows", ctypes.c_size_t), ("kept", ctypes.c_void_p),
                 ("kept_count", ctypes.c_size_t), ("allowed", ctypes.c_void_p),
                 ("mask_columns", ctypes.c_size_t), ("mask_rows", ctypes.c_size_t),
-                ("kept_classes", ctypes.c_void_p), ("classes", ctypes.c_void_p)]
+                ("kept_classes", ctypes.c_void_p), ("classes", ctypes.c_void_p),
+                ("outlines", ctypes.c_void_p), ("outline_count", ctypes.c_size_t)]
 
 
 lacuna.lacuna_error.restype = lacuna.lacuna_version.restype = ctypes.c_char_p
@@ -31,6 +33,8 @@ lacuna.lacuna_stipple.argtypes = [ctypes.c_char_p, ctypes.c_char_p, ctypes.c_siz
 lacuna.lacuna_verify.argtypes = [ctypes.c_char_p, ctypes.c_void_p, ctypes.c_void_p,
                                  ctypes.c_size_t]
 lacuna.lacuna_points.restype = ctypes.POINTER(ctypes.c_double)
+lacuna.lacuna_sample_volume.restype = ctypes.c_void_p
+lacuna.lacuna_sample_volume.argtypes = [ctypes.c_char_p, ctypes.c_void_p, ctypes.c_size_t]
 lacuna.lacuna_layers.restype = ctypes.POINTER(ctypes.c_ubyte)
 lacuna.lacuna_count.restype = ctypes.c_size_t
 lacuna.lacuna_describe.restype = Facts
@@ -46,6 +50,10 @@ assert all(0 <= points[i] <= 1 for i in range(2 * count))
 assert lacuna.lacuna_verify(b"--radius 0.05", None, points, count) == 1, lacuna.lacuna_error()
 assert lacuna.lacuna_verify(b"--radius 0.051", None, points, count) == 0
 lacuna.lacuna_free(made)
+
+volume = lacuna.lacuna_sample_volume(b"--count 90 --domain 1x1x0.5", None, 0)
+assert (lacuna.lacuna_count(volume), lacuna.lacuna_describe(volume).depth) == (90, 0.5)
+lacuna.lacuna_free(volume)
 
 kinds = b"--class trees:0.05 --class grass:0.02 --border trees:0.1"
 wood = lacuna.lacuna_sample(kinds, None)
