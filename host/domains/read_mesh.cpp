@@ -215,7 +215,7 @@ private:
 
 template <class Import>
 Mesh imported(const std::string& name, std::size_t bytes, const Import& import) {
-    // Of processor: assimp may be in a loop without end. It reads over 1 MB/s.
+    // Assimp reads over 1 MB in a second. After this processor time it is in a loop without end.
     const rlim_t most_seconds = 60 + bytes / 100000;
     std::string answer = Child(name, most_seconds, import).answer();
     if (answer.starts_with('e')) {

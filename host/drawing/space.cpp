@@ -34,8 +34,8 @@ constexpr double kLongest = 400 * kFine;  // fine pixels of the longest side
 constexpr std::size_t kAround = 20 * kFine;  // fine pixels around each view
 constexpr double kDot = 1. / 3;              // radius of a dot, in radii of the set
 constexpr double kSmallestDot = 0.6 * kFine;
-constexpr double kDepth = 2.5;  // how deep a volume is seen, in radii
-// Cosine of the angle between the viewer and a normal, under which a dot is not seen.
+constexpr double kDepth = 2.5;  // how deep a picture shows a volume, in radii
+// Cosine of the angle between the viewer and a normal, below which a dot is not drawn.
 constexpr double kEdgeOn = 0.1;
 
 struct BoxAround {
@@ -48,19 +48,17 @@ BoxAround box_of(const files::SetInSpace& set) {
     if (set.volume != nullptr) {
         box.side = {set.volume->width, set.volume->height, set.volume->depth};
     } else {
-        constexpr double kFar = std::numeric_limits<double>::infinity();
-        Axes low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
+        Axes high = box.low = axes_of(set.mesh->vertices[set.mesh->triangles[0][0]]);
         for_each_polled(set.mesh->triangles.size(), ask, [&](std::size_t i) {
             for (const std::uint32_t vertex : set.mesh->triangles[i])
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     const double at = axes_of(set.mesh->vertices[vertex]).at(axis);
-                    low.at(axis) = std::min(low.at(axis), at);
+                    box.low.at(axis) = std::min(box.low.at(axis), at);
                     high.at(axis) = std::max(high.at(axis), at);
                 }
         });
-        box.low = low;
         for (std::size_t axis = 0; axis < 3; ++axis)
-            box.side.at(axis) = high.at(axis) - low.at(axis);
+            box.side.at(axis) = high.at(axis) - box.low.at(axis);
     }
     const double longest = *std::max_element(box.side.begin(), box.side.end());
     box.scale = longest > 0 ? kLongest / longest : 1;

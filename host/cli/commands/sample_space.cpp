@@ -79,12 +79,11 @@ void sample_in_space(const CommandLine& line, const CommonOptions& options,
     request.keep = kept;
     Interruption interruption;
     Finished made{.stopwatch = Stopwatch(!options.report.empty())};
-    const SpaceResult result = naming_mesh(space, [&] {
-        return watched(options, made, [&](Observer& observer) {
-            return space.volume ? sample_volume(request, observer)
-                                : sample_surface(request, observer);
-        });
-    });
+    const auto sample_it = [&](Observer& observer) {
+        return space.volume ? sample_volume(request, observer) : sample_surface(request, observer);
+    };
+    const SpaceResult result =
+        naming_mesh(space, [&] { return watched(options, made, sample_it); });
     const std::vector<Point3> normals =
         space.volume ? std::vector<Point3>() : normals_of(mesh, result.triangles);
     const Json decides = asked_in_space(request, space, keep, result);
@@ -96,14 +95,11 @@ void sample_in_space(const CommandLine& line, const CommonOptions& options,
                                 .volume = space.volume ? &request.volume : nullptr,
                                 .triangles = result.triangles,
                                 .normals = normals};
+    Json asked = decides;
+    asked.update({{"backend", request.run_on.backend}, {"threads", request.run_on.threads}});
     Writing writing(interruption);
     if (!options.report.empty())
-        writing.add(options.report, [&] {
-            Json asked = decides;
-            asked.update(
-                {{"backend", request.run_on.backend}, {"threads", request.run_on.threads}});
-            return report_of(asked, result, made);
-        });
+        writing.add(options.report, [&] { return report_of(asked, result, made); });
     for (const Output& output : outputs)
         writing.add(output.path, [&] { return files::encode(set, output.format); });
     writing.write();

@@ -1,5 +1,5 @@
-// Takes claims in space from options and files, proves them, and says so in the words of
-// reports/verify_report.cpp.
+// Makes claims in space of options and files, proves them, and reports in the words of
+// host/cli/reports/verify_report.cpp.
 #include "cli/commands/verify_space.h"
 
 #include <fmt/format.h>
