@@ -18,7 +18,7 @@ auto naming_mesh(const options::InSpace& space, const Work& work) {
         return work();
     } catch (const BadRequest& error) {
         if (error.option() != "mesh") throw;
-        throw files::FileError(space.mesh + ": " + error.value() + ": " + error.reason());
+        throw files::FileError(space.mesh + ": " + error.what());
     }
 }
 
