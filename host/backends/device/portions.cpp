@@ -206,7 +206,7 @@ private:
             }
         samples_ = static_cast<std::uint32_t>(listed.size());
         round_.make_room(m.listed, 4 * (samples_ + room_for_entries(round_.plan)));
-        round_.put<Listed>(m.listed, listed);
+        round_.put_in_room<Listed>(m.listed, listed);
         round_.put_in_room<std::uint32_t>(m.sample_heads, heads);
         round_.make_room(m.cell_heads, all_.blocks());
         round_.queue.fill(m.cell_heads, NO_SAMPLE, all_.blocks());

@@ -63,6 +63,13 @@ check(sample --stretch 0.3:0.1@30 --torus --round-size 16)
 file(WRITE ${SCRATCH}/stripes.pgm "P2 4 3 255 0 90 180 90 0 90 180 90 60 0 90 200")
 check(sample --field ${SCRATCH}/stripes.pgm --scale 0.16 --along 4 --round-size 16)
 
+# Surfaces, with kept points and a triangle without area, and volumes.
+file(WRITE ${SCRATCH}/roof.obj
+    "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0.5\nv 1 2 0\nv 0 2 0\nf 1 2 3\nf 1 3 4\nf 4 3 5 6\nf 1 2 2\n")
+file(WRITE ${SCRATCH}/on_roof.txt "0.5 0.5 0.25\n0.5 1.5 0.25\n")
+check(sample --on ${SCRATCH}/roof.obj --radius 0.5 --keep ${SCRATCH}/on_roof.txt --round-size 16)
+check(sample --domain 1x0.8x0.7 --torus --radius 0.4 --round-size 16)
+
 # Relax: leaves that stick out of the lattice, and one with more sites than it has room for.
 file(WRITE ${SCRATCH}/few.txt "0.1 0.2\n0.6 0.7\n0.9 0.3\n0.5 0.5\n0.52 0.5\n0.1 0.9\n")
 check(relax ${SCRATCH}/few.txt --torus --iterations 2 --gaussian 2)
