@@ -222,7 +222,7 @@ Needs needs_of_field(const Plan& plan, std::uint64_t round) {
 // what the host has of it. Of a block: its lists. Of a triangle: three corners.
 constexpr std::uint64_t kSpaceBytesPerDraw = 32 + 16 + 12;
 constexpr std::uint64_t kSpaceBytesPerBin = 2 * (16 + 4) + 2 * 4 + 8;
-constexpr std::uint64_t kBytesPerTriangle = 3 * 16;
+constexpr std::uint64_t kBytesPerTriangle = 48;
 // The most bins for each sample that have been seen, and draws of a round: as many as there are
 // samples before a round, and draws, there is room for in their lists.
 struct MostInSpace {
