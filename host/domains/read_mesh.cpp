@@ -194,8 +194,9 @@ private:
         const rlimit most{seconds, seconds};
         ::setrlimit(RLIMIT_CPU, &most);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which reserve terabytes
-        const rlimit half{2 * files::most_bytes(), 2 * files::most_bytes()};
-        ::setrlimit(RLIMIT_DATA, &half);
+        const rlim_t half_of_memory = 2 * files::most_bytes();
+        const rlimit most_data{half_of_memory, half_of_memory};
+        ::setrlimit(RLIMIT_DATA, &most_data);
 #endif
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0)
@@ -243,7 +244,8 @@ const Assimp& assimp_for(const std::string& name) {
     return assimp;
 }
 
-// Assimp does not end where a header is cut, and has no words of its own for points.
+// Assimp loops without end on a header that is cut, and its message about a file of points alone is
+// unclear.
 void check_header_of_ply(std::string_view bytes, const std::string& name) {
     files::ply::Rest rest{bytes, 0, name};
     const files::ply::Header header = files::ply::read_header(rest);

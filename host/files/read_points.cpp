@@ -88,10 +88,13 @@ PointsOfFile decode(std::string_view bytes, const Format& format, const std::str
     if (lie == Lie::in_space && format.name() == "txt") return decode_txt_in_space(bytes, name);
     PointsOfFile file = format.decode(bytes, name);
     if (lie == Lie::as_file_says && file.is_said_to_be_in_space()) lie = Lie::in_space;
-    if (lie == Lie::in_space)
+    if (lie == Lie::in_space) {
         check_in_space(file, name);
-    else
-        flatten(file, name);
+        return file;
+    }
+    if (file.is_said_to_be_in_space())
+        refuse(name, "has points on a mesh or in a volume: these are for sample and verify alone");
+    flatten(file, name);
     return file;
 }
 

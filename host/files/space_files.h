@@ -18,7 +18,7 @@ struct SetInSpace {
     std::span<const Point3> points{};
     double radius = 0;
     const Origin* origin = nullptr;
-    // One of both.
+    // Exactly one of these two is set.
     const Mesh* mesh = nullptr;
     const Volume* volume = nullptr;
     // On a mesh, of each point that was not kept: the number of its triangle, and its normal.

@@ -14,10 +14,10 @@ namespace lacuna::options {
 namespace {
 
 // All other options are for sets in the plane.
-constexpr std::array<std::string_view, 19> kOptionsInSpace{
-    "FILE",  "on",         "domain",  "torus",     "radius",        "count",  "limit",
-    "seed",  "round-size", "threads", "backend",   "keep",          "output", "format",
-    "quiet", "report",     "json",    "tolerance", "distances-only"};
+constexpr std::array<std::string_view, 20> kOptionsInSpace{
+    "FILE",   "on",         "domain",  "torus",   "radius",    "count",         "limit",
+    "seed",   "round-size", "threads", "backend", "device",    "keep",          "output",
+    "format", "quiet",      "report",  "json",    "tolerance", "distances-only"};
 
 void take_sides_in_space(const std::string& text, InSpace& space) {
     const auto sides = std::count(text.begin(), text.end(), 'x') + 1;

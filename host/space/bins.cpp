@@ -100,7 +100,7 @@ private:
         const Position middle = low_corner(cell_, eighth(part, 7));
         const bool is_one = is_unit(low, high);
         const Position end = is_one ? low : high;
-        unsigned kept = splits ? with_volume(low, middle, high) : 1;
+        unsigned kept = splits ? parts_with_volume(low, middle, high) : 1;
         // Pieces of one unit are their low corners. All others have the middle as a corner.
         const bool makes_units = has_units(low, middle, high);
         for (const Position& sample : near_) {
@@ -124,17 +124,6 @@ private:
         }
         return kept;
     }
-    static unsigned with_volume(const Position& low, const Position& middle, const Position& high) {
-        unsigned pieces = 255;
-        if (low.x == middle.x) pieces &= 0xaaU;
-        if (low.y == middle.y) pieces &= 0xccU;
-        if (low.z == middle.z) pieces &= 0xf0U;
-        if (middle.x == high.x) pieces &= 0x55U;
-        if (middle.y == high.y) pieces &= 0x33U;
-        if (middle.z == high.z) pieces &= 0x0fU;
-        return pieces;
-    }
-
     const FirstBins& all_;
     std::uint64_t radius_squared_;
     const std::vector<Position>& near_;

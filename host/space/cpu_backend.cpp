@@ -51,16 +51,27 @@ public:
     const Survivor& operator[](std::size_t i) const { return all_[i]; }
     bool is_admitted(std::size_t i) const { return status(i) == STATUS_ADMITTED; }
 
-    // Admits each unless an earlier one that is closer than the radius is admitted.
-    void decide(const FirstBins& all, std::uint64_t radius_squared, Workers& workers) {
+    // Admits each unless an earlier one that is closer than the radius is admitted. `draws`: of the
+    // round. Where survivors crowd, the first few are decided first. They cover most of the others,
+    // which are then compared with fewer.
+    void decide(const FirstBins& all, std::uint64_t radius_squared, std::size_t draws,
+                Workers& workers) {
         const auto runs = static_cast<std::uint32_t>(ends_.size());
-        std::vector<Rivals> rivals(runs);
-        workers.for_columns(runs, size(), [&](std::uint32_t run) {
-            find_rivals(all, radius_squared, of_run(run), rivals[run]);
-        });
-        // The earliest of those that are undecided can always be decided.
-        while (!workers.all_columns(runs, size(),
-                                    [&](std::uint32_t run) { return decide(rivals[run]); })) {
+        std::size_t begin = 0, end = first_part(draws);
+        for (; begin < draws; begin = end, end = std::min(2 * end, draws)) {
+            const Orders part{begin, end};
+            if (begin > 0)
+                workers.for_columns(runs, size(), [&](std::uint32_t run) {
+                    reject_covered(all, radius_squared, part, of_run(run));
+                });
+            std::vector<Rivals> rivals(runs);
+            workers.for_columns(runs, size(), [&](std::uint32_t run) {
+                find_rivals(all, radius_squared, part, of_run(run), rivals[run]);
+            });
+            // The earliest of those that are undecided can always be decided.
+            while (!workers.all_columns(runs, size(),
+                                        [&](std::uint32_t run) { return decide(rivals[run]); })) {
+            }
         }
     }
 
@@ -72,6 +83,24 @@ private:
         std::vector<std::uint32_t> all;
     };
 
+    // A position, and the number of its survivor.
+    using Near = std::pair<Position, std::uint32_t>;
+    // Draws [begin, end), by their order.
+    struct Orders {
+        std::size_t begin;
+        std::size_t end;
+        bool has(std::uint32_t order) const { return order >= begin && order < end; }
+    };
+    // So many draws that a block has about kFew survivors among them.
+    std::size_t first_part(std::size_t draws) const {
+        constexpr std::size_t kFew = 16;
+        std::size_t blocks = 0;
+        for (std::size_t i = 0; i < size(); ++i)
+            blocks += i == 0 || all_[i].block != all_[i - 1].block ? 1 : 0;
+        if (size() <= kFew * blocks) return draws;
+        return std::max<std::size_t>(1, draws * (kFew * blocks) / size());
+    }
+
     Span of_run(std::uint32_t run) const { return {run == 0 ? 0 : ends_[run - 1], ends_[run]}; }
     std::uint8_t status(std::size_t i) const {
         return statuses_[i].load(std::memory_order_relaxed);
@@ -80,12 +109,34 @@ private:
         statuses_[i].store(static_cast<std::uint8_t>(status), std::memory_order_relaxed);
     }
 
-    void find_rivals(const FirstBins& all, std::uint64_t radius_squared, Span own, Rivals& found) {
-        std::vector<std::pair<Position, std::uint32_t>> near;
+    // Of the survivors in this part, rejects those that an admitted one covers.
+    void reject_covered(const FirstBins& all, std::uint64_t radius_squared, Orders part, Span own) {
+        std::vector<Near> near;
         std::uint32_t block = ~std::uint32_t{0};
         for (std::uint32_t i = own.begin; i < own.end; ++i) {
             const Survivor& one = all_[i];
-            if (one.block != block) find_near(all, block = one.block, near);
+            if (!part.has(one.order)) continue;
+            if (one.block != block)
+                find_near(all, block = one.block, near, [&](std::uint32_t other) {
+                    return all_[other].order < part.begin && is_admitted(other);
+                });
+            if (std::any_of(near.begin(), near.end(), [&](const Near& other) {
+                    return squared_distance(other.first, one.sample.at) < radius_squared;
+                }))
+                set(i, STATUS_REJECTED);
+        }
+    }
+    void find_rivals(const FirstBins& all, std::uint64_t radius_squared, Orders part, Span own,
+                     Rivals& found) {
+        std::vector<Near> near;
+        std::uint32_t block = ~std::uint32_t{0};
+        for (std::uint32_t i = own.begin; i < own.end; ++i) {
+            const Survivor& one = all_[i];
+            if (!part.has(one.order) || status(i) != STATUS_UNDECIDED) continue;
+            if (one.block != block)
+                find_near(all, block = one.block, near, [&](std::uint32_t other) {
+                    return part.has(all_[other].order) && status(other) != STATUS_REJECTED;
+                });
             const std::size_t begin = found.all.size();
             for (const auto& [at, other] : near)
                 if (all_[other].order < one.order &&
@@ -100,13 +151,14 @@ private:
         }
         found.begins.push_back(static_cast<std::uint32_t>(found.all.size()));
     }
-    void find_near(const FirstBins& all, std::uint32_t block,
-                   std::vector<std::pair<Position, std::uint32_t>>& near) const {
+    template <typename Counts>
+    void find_near(const FirstBins& all, std::uint32_t block, std::vector<Near>& near,
+                   const Counts& counts) const {
         near.clear();
         all.for_each_near(block, [&](std::uint32_t other, const Position& shift) {
             for (std::uint32_t k = 0; k < counts_[other]; ++k) {
                 const std::uint32_t i = firsts_[other] + k;
-                near.emplace_back(moved(all_[i].sample.at, shift), i);
+                if (counts(i)) near.emplace_back(moved(all_[i].sample.at, shift), i);
             }
         });
     }
@@ -164,7 +216,7 @@ public:
         number_ += draws.size();
     }
     void admit() override {
-        survivors_.decide(all_, plan_.radius_squared, workers_);
+        survivors_.decide(all_, plan_.radius_squared, draws_, workers_);
         std::vector<std::uint32_t> admitted;
         std::vector<std::uint32_t> of_orders(draws_, kNone);
         for (std::uint32_t i = 0; i < survivors_.size(); ++i) {

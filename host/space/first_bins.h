@@ -39,8 +39,8 @@ struct FirstBins {
     std::vector<Solid> triangles{};
     std::vector<std::uint64_t> weights{};
     std::vector<std::uint32_t> numbers{};
-    // Empty if none was cut in two. Else of each the shares that its corners have of the second and
-    // the third corner of the mesh's triangle.
+    // Empty if none was cut in two. Else for each of them the barycentric shares of its three
+    // corners: those of the second and of the third corner of the mesh's triangle.
     std::vector<std::array<std::array<double, 2>, 3>> cut_from{};
     // For each block the blocks whose samples may be closer than the radius to a spot of its bins,
     // itself included: from near_begins[block] up to near_begins[block + 1].

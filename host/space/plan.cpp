@@ -131,9 +131,11 @@ void CheckedRequest::check_keep() const {
     check_points(request_->keep, "keep");
     for_each_polled(request_->keep.size(), ask, [&](std::size_t i) {
         const Point3& point = request_->keep[i];
+        // Points that others have rounded to the surface may lie beside the box around it.
+        const double slack = request_->mesh == nullptr ? 0 : 2;
         const auto is_in = [&](double at, double low, double unit, std::int32_t side) {
             const double steps = (at - low) / unit;
-            return steps >= -2 && (wraps() ? steps < side : steps <= side + 2.0);
+            return steps >= -slack && (wraps() ? steps < side : steps <= side + slack);
         };
         if (!is_in(point.x, units_.low.x, units_.unit.x, sides_[0]) ||
             !is_in(point.y, units_.low.y, units_.unit.y, sides_[1]) ||
@@ -188,7 +190,11 @@ Plan CheckedRequest::plan(double radius, std::uint64_t most) const {
                   static_cast<double>(request.mesh->triangles.size()) * kBytesOfTriangle +
                   edges_ / radius * kBytesOfPiece;
     refuse_more_memory(Request{.run_on = request.run_on}, option, value, bytes);
-    if (points > 0x1p29) throw BadRequest(option, value, "would make more than 2^29 points");
+    // Blocks near each other, and bins, have 32-bit numbers: up to 31 and 15 for each point.
+    const int most_bits = request.mesh != nullptr ? 27 : 28;
+    if (points > std::ldexp(1.0, most_bits))
+        throw BadRequest(option, value,
+                         "would make more than 2^" + std::to_string(most_bits) + " points");
 
     Plan plan;
     const double unit = std::min({units_.unit.x, units_.unit.y, units_.unit.z});

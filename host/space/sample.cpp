@@ -25,12 +25,15 @@ namespace lacuna {
 namespace space {
 namespace {
 
-// Kept points that are closer than the radius, also by rounding.
+// Refuses kept points that are closer than the radius by more than rounding to units, of up to two
+// units, explains.
 void check_kept_distances(const CheckedRequest& request, const Plan& plan) {
     const FirstBins& all = *plan.space().first_bins;
     const Samples samples(all, plan.radius_squared);
     std::vector<Position> near;
     const double radius = plan.user_radius;
+    const auto& [x_unit, y_unit, z_unit] = request.units().unit;
+    const double least = radius * (1 - 1e-9) - 2 * std::max({x_unit, y_unit, z_unit});
     for (std::uint32_t block = 0; block < all.blocks(); ++block) {
         if (all.kept_begins[block] == all.kept_begins[block + 1]) continue;
         ask_after();
@@ -41,11 +44,13 @@ void check_kept_distances(const CheckedRequest& request, const Plan& plan) {
                 const Point3 a = request.units().to_user(all.kept[i]);
                 const Point3 b = request.units().to_user(other);
                 const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
-                close += std::sqrt(x * x + y * y + z * z) < radius * (1 - 1e-9) ? 1 : 0;
+                close += std::sqrt(x * x + y * y + z * z) < least ? 1 : 0;
             }
             if (close > 0)
                 throw BadRequest("keep", "points that are closer than " + shortest(radius),
-                                 "must keep the radius from each other");
+                                 request->count ? "must keep from each other the radius that the "
+                                                  "count needs: leave some out, or give a radius"
+                                                : "must keep the radius from each other");
         }
     }
 }

@@ -118,7 +118,7 @@ struct StripArguments {
     u32 first_recent;            // with lists: only samples from this entry on cut the boxes
     u32 own_begin;               // boxes with x in [own_begin, own_begin + own_width) are cut;
     u32 own_width;               // the others lie in the halo
-    u64 least_to_split OR_ZERO;  // in space: bins of less weight are not split
+    u64 least_to_split OR_ZERO;  // in space: smaller bins are not split
 };
 LACUNA_TYPEDEF(StripArguments)
 

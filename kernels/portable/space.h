@@ -34,7 +34,7 @@ LACUNA_FN u64 squared_distance(Position a, Position b) {
     i64 x = to_i64(a.x) - to_i64(b.x);
     i64 y = to_i64(a.y) - to_i64(b.y);
     i64 z = to_i64(a.z) - to_i64(b.z);
-    return to_u64(x * x + y * y + z * z);
+    return to_u64(x * x) + to_u64(y * y) + to_u64(z * z);
 }
 
 LACUNA_FN Position moved(Position a, Position by) {
@@ -183,6 +183,18 @@ LACUNA_FN Portion eighth(Portion part, u32 which) {
     piece.third = 2u * part.third + (which >> 2);
     piece.shape = part.shape + 1u;
     return piece;
+}
+
+// A bit for each of the eight parts that meet at `middle`, if it has volume.
+LACUNA_FN u32 parts_with_volume(Position low, Position middle, Position high) {
+    u32 parts = 255u;
+    if (low.x == middle.x) parts = parts & 0xaau;
+    if (low.y == middle.y) parts = parts & 0xccu;
+    if (low.z == middle.z) parts = parts & 0xf0u;
+    if (middle.x == high.x) parts = parts & 0x55u;
+    if (middle.y == high.y) parts = parts & 0x33u;
+    if (middle.z == high.z) parts = parts & 0x0fu;
+    return parts;
 }
 
 LACUNA_FN u32 distance_to_farther_end(i32 at, i32 low, i32 high) {

@@ -203,7 +203,7 @@ def sample_surface(
     may = None
     if allowed is not None:
         may = np.ascontiguousarray(numbers("allowed", allowed) != 0, dtype=np.uint8)
-        if may.ndim != 1:
+        if may.ndim != 1 or may.size == 0:
             raise BadRequest("allowed", f"of shape {may.shape}", "must have one value for each triangle")
     return _made(progress, asked, keep, (_rows("vertices", vertices), _faces(faces), may))
 

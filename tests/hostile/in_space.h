@@ -95,7 +95,7 @@ public:
         if (is(kCutOff, "yes")) request.limit = 1 + random_() % 20;
         if (is(kDrawn, "of one")) request.round_size = 1;
         if (is(kDrawn, "small")) request.round_size = 2 + random_() % 8;
-        if (is(kDrawn, "large")) request.round_size = 5000;
+        if (is(kDrawn, "large")) request.round_size = 40000;
         request.run_on.threads = is(kShared, "several") ? 2 + random_() % 2 : 1;
     }
 

@@ -99,7 +99,7 @@ protected:
 
 private:
     portable::StripArguments arguments(std::uint32_t chunk) const;
-    // In space: bins of less weight are not split.
+    // In space, bins whose weight is smaller than this are not split.
     virtual std::uint64_t least_to_split() const { return 0; }
     // Queues listing the round's samples behind the boxes.
     virtual void list_samples(RoundMemory::Listing listing) { round_.list_samples(listing); }

@@ -99,7 +99,8 @@ public:
                 bins_->begins(),
                 bins_->copy_ends()};
     }
-    // In space finish_round has none; these are valid as long as its results.
+    // In space samples come from here, not from finish_round(). They are valid as long as its
+    // results.
     using SpaceWords = std::array<std::uint32_t, 3>;
     std::span<const SpaceWords> samples_in_space() const { return round_.samples<SpaceWords>(); }
 

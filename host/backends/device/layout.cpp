@@ -223,8 +223,9 @@ Needs needs_of_field(const Plan& plan, std::uint64_t round) {
 constexpr std::uint64_t kSpaceBytesPerDraw = 32 + 16 + 12;
 constexpr std::uint64_t kSpaceBytesPerBin = 2 * (16 + 4) + 2 * 4 + 8;
 constexpr std::uint64_t kBytesPerTriangle = 48;
-// The most bins for each sample that have been seen, and draws of a round: as many as there are
-// samples before a round, and draws, there is room for in their lists.
+// `bins`: the largest number of bins for each sample that was measured. `entries`: the lists have
+// room for this many entries for each sample that is expected, which is enough for the samples
+// before a round and its draws.
 struct MostInSpace {
     double bins;
     std::uint64_t entries;
@@ -238,7 +239,7 @@ MostInSpace most_in_space(const Plan& plan) {
 
 Needs needs_of_space(const Plan& plan, std::uint64_t round) {
     const space::FirstBins& first = *plan.space().first_bins;
-    const std::uint64_t bins = room_for_boxes(plan);
+    const std::uint64_t bins = std::max<std::uint64_t>(room_for_boxes(plan), first.bins.size());
     const std::uint64_t samples = room_for_entries(plan) * kBytesPerEntry;
     const std::uint64_t triangles = first.triangles.size() * kBytesPerTriangle;
     const std::uint64_t near = (first.near.size() + 3 * first.blocks()) * sizeof(std::uint32_t);

@@ -70,7 +70,7 @@ private:
             [](std::uint64_t length, std::uint64_t width) { return length * width; });
     }
 
-    // Up to the room that there is: then a round waits once less.
+    // Asks for all the room that buffers have, so that rounds are rarely repeated with larger ones.
     std::uint32_t more_boxes(bool halve) const override {
         const std::uint64_t room = room_for_boxes(round_.plan);
         const std::uint64_t more = room > count_ ? room - count_ : 0;
@@ -111,7 +111,7 @@ public:
     }
 
     PartLimits part_limits(std::uint32_t count) const override {
-        // A ball has about a sixth of what the blocks around its middle have.
+        // A ball holds about a sixth of the weight of the blocks around its middle.
         return limits_by_area(count, mean_share_ / 6, widest_share_);
     }
 

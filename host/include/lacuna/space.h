@@ -71,7 +71,8 @@ struct SpaceRequest {
     // On a mesh: whether points may lie on each triangle; 0: not. Empty: on all.
     std::span<const std::uint8_t> allowed{};
     // Points that are there already. They come first in the result, bit for bit, and count. They
-    // must lie on the surface or in the volume, and keep the radius.
+    // must lie in the volume or in the box around the surface, and keep the radius, to within 2^-29
+    // of its longest side. A set with points beside the surface is refuted by prove().
     std::span<const Point3> keep{};
     std::optional<std::uint64_t> limit{};  // stop after this many points, >= 1
     std::uint64_t seed = 0;                // sets of different seeds are independent

@@ -1,4 +1,4 @@
-// What screen asks in space: whether a sample of a block around covers a candidate.
+// In space, for the kernel screen: whether an earlier sample covers a candidate.
 #include "bodies/space/around.h"
 #include "bodies/space/candidate.h"
 

@@ -1,5 +1,5 @@
-// The body of keep in space: writes the pieces that split has counted, and what results[] has of
-// them: the lengths of all new bins, then their widths. Does nothing while a draw is undecided.
+// The body of keep in space: writes the pieces that split has counted, and to results[] the lengths
+// of all new bins, then their widths. Does nothing while a draw is undecided.
 #include "bodies/common/sums.h"
 #include "bodies/space/around.h"
 #include "bodies/space/solid.h"

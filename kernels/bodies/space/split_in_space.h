@@ -37,25 +37,12 @@ BODY u32 kept_of_triangle(const Splitting s, const Position one, const u32 kept)
     return kept & ~covered;
 }
 
-BODY u64 squared_way(const i32 a, const i32 b) {
-    const i64 way = to_i64(a) - to_i64(b);
-    return to_u64(way * way);
-}
-
-// The square of the distance of a sample and the farther end of a side of a piece.
-BODY u64 farther(const i32 at, const i32 low, const i32 high) {
-    return max(squared_way(at, low), squared_way(at, high));
-}
-
-BODY u32 kept_of_box(const Splitting s, const Solid solid, const Portion part, const Position one,
-                     const u32 kept) {
+BODY u32 kept_of_box(const Splitting s, const Position one, const u32 kept) {
     // Pieces of one unit are their low corners. All others have the middle as a corner.
     const Position middle = s.opposite_a;
     if (!s.has_units && !is_closer(s, one, middle)) return kept;
     const Position end = is_unit(s.a, s.b) ? s.a : s.b;
-    const u64 all =
-        farther(one.x, s.a.x, end.x) + farther(one.y, s.a.y, end.y) + farther(one.z, s.a.z, end.z);
-    if (all < s.radius_squared) return 0u;
+    if (squared_distance_to_farthest(one, s.a, end) < s.radius_squared) return 0u;
     if (!s.splits) return kept;
     u32 covered = 0u;
     for (u32 i = 0u; i < 8u; ++i) {
@@ -68,24 +55,10 @@ BODY u32 kept_of_box(const Splitting s, const Solid solid, const Portion part, c
         to.y = (i & 2u) != 0u ? s.b.y : middle.y;
         to.z = (i & 4u) != 0u ? s.b.z : middle.z;
         if (is_unit(from, to)) to = from;
-        const u64 far = farther(one.x, from.x, to.x) + farther(one.y, from.y, to.y) +
-                        farther(one.z, from.z, to.z);
-        if (far < s.radius_squared) covered = covered | 1u << i;
+        if (squared_distance_to_farthest(one, from, to) < s.radius_squared)
+            covered = covered | 1u << i;
     }
     return kept & ~covered;
-}
-
-// The pieces of a box that have volume.
-BODY u32 with_volume(const Splitting s) {
-    const Position middle = s.opposite_a;
-    u32 pieces = 255u;
-    if (s.a.x == middle.x) pieces = pieces & 0xaau;
-    if (s.a.y == middle.y) pieces = pieces & 0xccu;
-    if (s.a.z == middle.z) pieces = pieces & 0xf0u;
-    if (middle.x == s.b.x) pieces = pieces & 0x55u;
-    if (middle.y == s.b.y) pieces = pieces & 0x33u;
-    if (middle.z == s.b.z) pieces = pieces & 0x0fu;
-    return pieces;
 }
 
 BODY Splitting splitting_of(const StripArguments a, const Around around, const Solid solid,
@@ -117,10 +90,9 @@ BODY Splitting splitting_of(const StripArguments a, const Around around, const S
     return s;
 }
 
-BODY u32 kept_pieces_of(MEMORY const Around around, const Solid solid, const Portion part,
-                        const Splitting s) {
+BODY u32 kept_pieces_of(MEMORY const Around around, const Splitting s) {
     u32 kept = 1u;
-    if (s.splits) kept = around.is_volume ? with_volume(s) : 15u;
+    if (s.splits) kept = around.is_volume ? parts_with_volume(s.a, s.opposite_a, s.b) : 15u;
     for (u32 k = 0u; k < around.count && kept != 0u; ++k) {
         const NearCell near = block_around(ON around, k);
         u32 number = NO_SAMPLE;
@@ -130,7 +102,7 @@ BODY u32 kept_pieces_of(MEMORY const Around around, const Solid solid, const Por
             number = one.next;
             const Position at = listed_at(one, near);
             if (around.is_volume)
-                kept = kept_of_box(s, solid, part, at, kept);
+                kept = kept_of_box(s, at, kept);
             else
                 kept = kept_of_triangle(s, at, kept);
         }
@@ -148,7 +120,7 @@ BODY void serve_split_in_space(MEMORY const StripArguments a, const u32 item) {
         const Solid solid = solid_of(ON around, part);
         const Splitting s =
             splitting_of(a, around, solid, part, size_of_part(ON around, solid, part));
-        const u32 kept = kept_pieces_of(ON around, solid, part, s);
+        const u32 kept = kept_pieces_of(ON around, s);
         AT(kept_pieces, number) = kept | (s.splits ? IS_SPLIT : 0u);
         AT(counts, number) = count_bits(kept);
     }

@@ -360,7 +360,7 @@ TEST_P(Faults, InVolumesAreNoticed) {
          {"bodies/space/around.h", "moved(at, near.shift)", "at"},
          {"bodies/space/decide_in_space.h", "place_of(ON one, other), near.shift",
           "place_of(ON one, other), at"},
-         {"bodies/space/split_in_space.h", "farther(one.z, from.z, to.z)", "0u"},
+         {"bodies/space/split_in_space.h", "farthest(one, from, to)", "farthest(one, from, from)"},
          {"bodies/space/split_in_space.h", "? middle.y : s.a.y", "? s.a.y : s.a.y"},
          {"portable/space.h", "which / 9u", "which / 10u", "split_in_space"},
          {"portable/space.h", "number / columns % rows", "number % rows"},
