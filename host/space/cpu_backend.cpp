@@ -96,7 +96,7 @@ private:
         constexpr std::size_t kFew = 16;
         std::size_t blocks = 0;
         for (std::size_t i = 0; i < size(); ++i)
-            blocks += i == 0 || all_[i].block != all_[i - 1].block ? 1 : 0;
+            blocks += i == 0 || all_[i].block != all_[i - 1].block ? 1U : 0U;
         if (size() <= kFew * blocks) return draws;
         return std::max<std::size_t>(1, draws * (kFew * blocks) / size());
     }
@@ -151,14 +151,14 @@ private:
         }
         found.begins.push_back(static_cast<std::uint32_t>(found.all.size()));
     }
-    template <typename Counts>
+    template <typename IsWanted>
     void find_near(const FirstBins& all, std::uint32_t block, std::vector<Near>& near,
-                   const Counts& counts) const {
+                   const IsWanted& is_wanted) const {
         near.clear();
         all.for_each_near(block, [&](std::uint32_t other, const Position& shift) {
             for (std::uint32_t k = 0; k < counts_[other]; ++k) {
                 const std::uint32_t i = firsts_[other] + k;
-                if (counts(i)) near.emplace_back(moved(all_[i].sample.at, shift), i);
+                if (is_wanted(i)) near.emplace_back(moved(all_[i].sample.at, shift), i);
             }
         });
     }
