@@ -35,7 +35,6 @@ std::string mesh_format_of(const std::string& name) {
 #include <assimp/cimport.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -51,8 +50,8 @@ std::string mesh_format_of(const std::string& name) {
 #include <limits>
 #include <memory>
 #include <system_error>
-#include <type_traits>
 
+#include "base/loaded_library.h"
 #include "base/polling.h"
 
 namespace lacuna {
@@ -70,28 +69,16 @@ public:
     decltype(&aiImportFileFromMemory) import_bytes{};
     decltype(&aiGetErrorString) error{};
 
-    const std::string& missing() const { return missing_; }  // empty if all were found
+    const std::string& missing() const { return library_.missing(); }  // empty: all were found
 
 private:
     Assimp() {
-        void* const library = ::dlopen("libassimp.so.5", RTLD_NOW | RTLD_LOCAL);
-        if (library == nullptr) {
-            missing_ =
-                std::string("assimp cannot be loaded: ") + ::dlerror() + " (Debian: libassimp5)";
-            return;
-        }
-        const auto find = [&](auto& function, const char* name) {
-            function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
-                ::dlsym(library, name));
-            if (function == nullptr && missing_.empty())
-                missing_ = std::string("libassimp.so.5 lacks ") + name;
-        };
-        find(import_file, "aiImportFile");
-        find(import_bytes, "aiImportFileFromMemory");
-        find(error, "aiGetErrorString");
+        library_.find(import_file, "aiImportFile");
+        library_.find(import_bytes, "aiImportFileFromMemory");
+        library_.find(error, "aiGetErrorString");
     }
 
-    std::string missing_;
+    LoadedLibrary library_{"libassimp.so.5", "assimp", "libassimp5"};
 };
 
 // Appends the triangles of a node and of those below it, without points and lines.

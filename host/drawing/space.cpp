@@ -1,4 +1,6 @@
 // Draws sets in space: from the right, from the front and from above, side by side.
+#include "drawing/space.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +13,6 @@
 
 #include "base/polling.h"
 #include "drawing/png.h"
-#include "files/space_files.h"
 
 namespace lacuna::drawing {
 namespace {
@@ -195,10 +196,6 @@ void draw_volume(const files::SetInSpace& set, double radius, Panel& panel) {
     }
 }
 
-}  // namespace
-
-std::string draw_in_space(const files::SetInSpace& set);
-
 std::string draw_in_space(const files::SetInSpace& set) {
     const BoxAround box = box_of(set);
     const double radius = std::max(kSmallestDot, kDot * set.radius * box.scale);
@@ -230,6 +227,12 @@ std::string draw_in_space(const files::SetInSpace& set) {
                 }
             }
         });
+}
+
+}  // namespace
+
+std::string encode(const files::SetInSpace& set, const files::Format& format) {
+    return format.name() == "png" ? draw_in_space(set) : files::encode(set, format);
 }
 
 }  // namespace lacuna::drawing

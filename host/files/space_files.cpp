@@ -15,10 +15,6 @@
 #include "files/npy.h"
 #include "files/text_lines.h"
 
-namespace lacuna::drawing {
-std::string draw_in_space(const files::SetInSpace& set);  // drawing/space.cpp
-}
-
 namespace lacuna::files {
 namespace {
 
@@ -131,7 +127,7 @@ std::string encode(const SetInSpace& set, const Format& format) {
     if (name == "csv") return csv_of(set);
     if (name == "npy") return npy_of(set);
     if (name == "ply") return ply_of(set);
-    return name == "json" ? json_of(set) : drawing::draw_in_space(set);
+    return json_of(set);
 }
 
 }  // namespace lacuna::files

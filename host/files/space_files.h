@@ -31,16 +31,13 @@ struct SetInSpace {
 // Throws BadRequest("output", PATH, ...) if the format has no place for three coordinates.
 void check_in_space(const Format& format, const std::string& path);
 
-// The bytes of a file in the given format.
+// The bytes of a file in the given format, which is no picture: drawing/space.h has those.
 //   txt, npy  x, y and z alone
 //   csv, ply  on a mesh nx, ny and nz, too, the normal, and triangle, a number from 0; for points
 //             that were kept they are 0, 0, 0 and -1
 //   json      the same as "normals" and "triangles" before "points", and the members of Origin; of
 //             a volume width, height, depth and boundary
-//   png       three views side by side: from the right, from the front and from above, which is
-//             where x, -y and z point. On a mesh hidden points are left out; in a volume points
-//             fade with their depth
-// Throws what check_in_space() throws, and FileError.
+// Throws what check_in_space() throws.
 std::string encode(const SetInSpace& set, const Format& format);
 
 }  // namespace lacuna::files

@@ -4,7 +4,6 @@
 
 #ifdef LACUNA_HEIF
 
-#include <dlfcn.h>
 #include <fmt/core.h>
 #include <libheif/heif.h>
 
@@ -15,8 +14,8 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
+#include "base/loaded_library.h"
 #include "base/polling.h"
 #include "pictures/whole_samples.h"
 
@@ -49,41 +48,29 @@ public:
     decltype(&heif_image_get_height) decoded_height{};
 
     // Empty if all functions were found.
-    const std::string& missing() const { return missing_; }
+    const std::string& missing() const { return library_.missing(); }
 
 private:
     Libheif() {
-        void* const library = ::dlopen("libheif.so.1", RTLD_NOW | RTLD_LOCAL);
-        if (library == nullptr) {
-            missing_ =
-                std::string("libheif cannot be loaded: ") + ::dlerror() + " (Debian: libheif1)";
-            return;
-        }
-        const auto find = [&](auto& function, const char* name) {
-            function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
-                ::dlsym(library, name));
-            if (function == nullptr && missing_.empty())
-                missing_ = std::string("libheif.so.1 lacks ") + name;
-        };
-        find(alloc, "heif_context_alloc");
-        find(free, "heif_context_free");
-        find(read, "heif_context_read_from_memory_without_copy");
-        find(primary, "heif_context_get_primary_image_handle");
-        find(release_handle, "heif_image_handle_release");
-        find(width, "heif_image_handle_get_width");
-        find(height, "heif_image_handle_get_height");
-        find(has_alpha, "heif_image_handle_has_alpha_channel");
-        find(is_premultiplied, "heif_image_handle_is_premultiplied_alpha");
-        find(alloc_options, "heif_decoding_options_alloc");
-        find(free_options, "heif_decoding_options_free");
-        find(decode, "heif_decode_image");
-        find(release_image, "heif_image_release");
-        find(plane, "heif_image_get_plane_readonly");
-        find(decoded_width, "heif_image_get_width");
-        find(decoded_height, "heif_image_get_height");
+        library_.find(alloc, "heif_context_alloc");
+        library_.find(free, "heif_context_free");
+        library_.find(read, "heif_context_read_from_memory_without_copy");
+        library_.find(primary, "heif_context_get_primary_image_handle");
+        library_.find(release_handle, "heif_image_handle_release");
+        library_.find(width, "heif_image_handle_get_width");
+        library_.find(height, "heif_image_handle_get_height");
+        library_.find(has_alpha, "heif_image_handle_has_alpha_channel");
+        library_.find(is_premultiplied, "heif_image_handle_is_premultiplied_alpha");
+        library_.find(alloc_options, "heif_decoding_options_alloc");
+        library_.find(free_options, "heif_decoding_options_free");
+        library_.find(decode, "heif_decode_image");
+        library_.find(release_image, "heif_image_release");
+        library_.find(plane, "heif_image_get_plane_readonly");
+        library_.find(decoded_width, "heif_image_get_width");
+        library_.find(decoded_height, "heif_image_get_height");
     }
 
-    std::string missing_;
+    LoadedLibrary library_{"libheif.so.1", "libheif", "libheif1"};
 };
 
 void check(const Encoded& file, const heif_error& error) {

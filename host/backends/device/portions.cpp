@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -13,6 +12,7 @@
 
 #include "backends/device/bins.h"
 #include "backends/device/boxes.h"
+#include "plan/first_free.h"
 #include "portable/status.h"
 #include "space/portion.h"
 
@@ -40,21 +40,21 @@ public:
                         .boxes = &Memory::portions,
                         .new_boxes = &Memory::new_portions}) {
         const FirstBins& all = *round.plan.space().first_bins;
-        std::vector<std::uint32_t> blocks, lengths, widths;
+        std::vector<std::uint32_t> blocks;
         for (std::uint32_t block = 0; block < all.blocks(); ++block)
-            for (std::uint32_t i = all.begins[block]; i < all.begins[block + 1]; ++i) {
-                const auto [length, width] = space::size_of(all.weight_of(all.bins[i], block));
-                blocks.push_back(block);
-                lengths.push_back(length);
-                widths.push_back(width);
-            }
+            blocks.resize(all.begins[block + 1], block);
         round.put_in_room<std::uint32_t>(round.memory.blocks, blocks);
-        lengths.insert(lengths.end(), widths.begin(), widths.end());
-        put<Portion>(all.bins, std::move(lengths));
+        FirstFree free(round.plan);
+        free.lengths.insert(free.lengths.end(), free.widths.begin(), free.widths.end());
+        put<Portion>(all.bins, std::move(free.lengths));
         add_up();
     }
 
     std::span<const std::uint32_t> widths() const { return sizes_.subspan(count_, count_); }
+    std::uint64_t weight_of(std::size_t bin) const {
+        return std::uint64_t{free_lengths()[bin]} * widths()[bin];
+    }
+    std::uint64_t total() const { return total_; }
 
     void end_round() override {
         std::swap(round_.memory.blocks, round_.memory.new_blocks);
@@ -64,10 +64,8 @@ public:
 
 private:
     void add_up() {
-        const std::span<const std::uint32_t> lengths = free_lengths();
-        total_ = std::inner_product(
-            lengths.begin(), lengths.end(), widths().begin(), std::uint64_t{0}, std::plus<>(),
-            [](std::uint64_t length, std::uint64_t width) { return length * width; });
+        total_ = 0;
+        for (std::size_t bin = 0; bin < count_; ++bin) total_ += weight_of(bin);
     }
 
     // Asks for all the room that buffers have, so that rounds are rarely repeated with larger ones.
@@ -213,23 +211,19 @@ private:
         round_.queue.wait();
     }
 
-    // The share of all draws that fall into the blocks around a block.
+    // The share of the first draws that fall into the blocks around a block.
     void find_shares() {
-        std::vector<double> weights;
-        double sum = 0;
-        for (std::uint32_t block = 0; block < all_.blocks(); ++block) {
-            double weight = 0;
+        std::vector<double> shares(all_.blocks());
+        for (std::uint32_t block = 0; block < all_.blocks(); ++block)
             for (std::uint32_t i = all_.begins[block]; i < all_.begins[block + 1]; ++i)
-                weight += static_cast<double>(all_.weight_of(all_.bins[i], block));
-            weights.push_back(weight);
-            sum += weight;
-        }
+                shares[block] += static_cast<double>(portions_.weight_of(i)) /
+                                 static_cast<double>(portions_.total());
         for (std::uint32_t block = 0; block < all_.blocks(); ++block) {
             double around = 0;
             all_.for_each_near(block, [&](std::uint32_t other, const space::Position&) {
-                around += weights[other] / sum;
+                around += shares[other];
             });
-            mean_share_ += weights[block] / sum * std::min(around, 1.0);
+            mean_share_ += shares[block] * std::min(around, 1.0);
             widest_share_ = std::max(widest_share_, std::min(around, 1.0));
         }
     }

@@ -13,8 +13,8 @@
 #include "cli/options/sample_seeds.h"
 #include "cli/reports/report.h"
 #include "cli/terminal/interruption.h"
+#include "drawing/space.h"
 #include "files/read_points.h"
-#include "files/space_files.h"
 
 namespace lacuna::cli {
 namespace {
@@ -101,7 +101,7 @@ void sample_in_space(const CommandLine& line, const CommonOptions& options,
     if (!options.report.empty())
         writing.add(options.report, [&] { return report_of(asked, result, made); });
     for (const Output& output : outputs)
-        writing.add(output.path, [&] { return files::encode(set, output.format); });
+        writing.add(output.path, [&] { return drawing::encode(set, output.format); });
     writing.write();
     sum_up({outputs, options.report, options.quiet},
            words_in_space(request, space, result, made.seconds), result.points.empty());
