@@ -73,17 +73,19 @@ public:
     void insert(const Candidate& sample) { cell_of(sample) = {sample.x, sample.y}; }
 
     // Whether some sample is closer than the radius. A disk is 2 sqrt(2) < 3 cells wide and lies in
-    // 4 x 4 cells. Away from edges all are compared without a branch, which could not be predicted.
-    // Empty cells, at (-1, -1), and marks, at (-1, -2), are farther away than the radius.
+    // 4 x 4 cells. Away from corners all are compared without a branch, which could not be
+    // predicted; on a torus a candidate at an edge has an image beyond the opposite edge.
     bool is_covered(const Candidate& candidate) const {
-        // Not a structured binding: clang 14 lets no lambda use one.
         const std::uint32_t x = candidate.x;
         const std::uint32_t y = candidate.y;
-        if (is_inside(x, x + 1, y, y + 1)) {
-            const Sample* const cells =
-                column((x - plan_.radius) / side_) + (y - plan_.radius) / side_;
-            return vectors_.is_any_closer(cells, stride_, {x, y}, plan_.radius_squared);
-        }
+        if (is_inside(x, x + 1, y, y + 1)) return is_any_closer(x, y);
+        const std::int64_t image_x = image_of(x, plan_.width, plan_.period_x);
+        const std::int64_t image_y = image_of(y, plan_.height, plan_.period_y);
+        const std::uint32_t r = plan_.radius;
+        if (is_inside(x, x + 1, r, r + 1))
+            return is_any_closer(x, y) || (image_y != y && is_any_closer(x, image_y));
+        if (is_inside(r, r + 1, y, y + 1))
+            return is_any_closer(x, y) || (image_x != x && is_any_closer(image_x, y));
         bool covered = false;
         for_each_cell_near(x, x + 1, y, y + 1, [&](Sample cell) {
             covered |=
@@ -178,6 +180,25 @@ private:
     static constexpr Sample kMark{NO_SAMPLE, NO_SAMPLE - 1};
 
     Sample& cell_of(const Candidate& at) { return column(at.x / side_)[at.y / side_]; }
+
+    // Whether some sample is closer than the radius to a point, of which at most one coordinate is
+    // below the radius or beyond an edge. So empty cells, at (-1, -1), and marks, at (-1, -2), are
+    // farther away than the radius.
+    bool is_any_closer(std::int64_t x, std::int64_t y) const {
+        const auto first_near = [&](std::int64_t at) {
+            return static_cast<std::uint32_t>(std::max<std::int64_t>(at - plan_.radius, 0)) / side_;
+        };
+        return vectors_.is_any_closer(
+            column(first_near(x)) + first_near(y), stride_,
+            {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)}, plan_.radius_squared);
+    }
+    // Of a coordinate on a torus within the radius of an edge: that of its image beyond the
+    // opposite edge. Otherwise the coordinate itself.
+    std::int64_t image_of(std::uint32_t at, std::uint32_t size, std::uint32_t period) const {
+        if (period == 0) return at;
+        if (at < plan_.radius) return std::int64_t{at} + size;
+        return at > size - plan_.radius ? std::int64_t{at} - size : std::int64_t{at};
+    }
 
     // Whether [x_begin, x_end) x [y_begin, y_end), widened by the radius, touches no edge.
     bool is_inside(std::uint32_t x_begin, std::uint32_t x_end, std::uint32_t y_begin,
