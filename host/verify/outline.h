@@ -9,6 +9,7 @@
 
 #include "verify/cell.h"
 #include "verify/pixels.h"
+#include "verify/rectangle_tree.h"
 
 namespace lacuna::verify {
 
@@ -21,6 +22,8 @@ public:
     explicit Outline(std::span<const std::vector<Point>> rings);
 
     bool is_empty() const { return edges_.empty(); }
+    // Around all edges; not of an empty outline.
+    const Cell& around() const { return tree_.around(); }
 
     // Whether a cell has open places, which lie deeper inside than `clearance`, and closed places,
     // which do not. `clearance` is positive. For a cell near edges, the answer may include a kind
@@ -41,21 +44,9 @@ private:
         Point from;
         Point to;
     };
-    // A node holds the edges in [begin, end). Node i has its halves in nodes 2 i + 1 and 2 i + 2.
-    struct Node {
-        Cell around;
-        std::size_t begin;
-        std::size_t end;
-
-        bool is_leaf() const { return end - begin <= kFewEdges; }
-    };
-    static constexpr std::size_t kFewEdges = 4;
-
+    static std::vector<Edge> edges_of(std::span<const std::vector<Point>> rings);
+    static Cell around_edge(const Edge& edge);
     static double squared_distance(Point place, const Edge& edge);
-    void build(std::size_t node, std::size_t begin, std::size_t end);
-    // The smallest to_edge(edge). For a node, to_node(rectangle around its edges) is a lower bound.
-    template <typename ToNode, typename ToEdge>
-    double least(ToNode to_node, ToEdge to_edge) const;
     double nearest(Point place) const;
     bool is_inside(Point place) const;
     // The squared distance from the cell to the nearest edge.
@@ -65,7 +56,7 @@ private:
     double least_of_farthest_squared(const Cell& cell) const;
 
     std::vector<Edge> edges_;
-    std::vector<Node> nodes_;
+    RectangleTree tree_;
 };
 
 }  // namespace lacuna::verify

@@ -25,13 +25,34 @@ public:
     double depth_of(Point place) const;
 
 private:
-    struct Kept {
-        Outline outline;
-        double distance;  // that samples keep from it
+    // Outlines in a tree, so that an answer needs only those nearby.
+    class Outlines {
+    public:
+        Outlines(std::span<const PolygonSet> sets, bool (*are_wanted)(Role role));
+
+        bool are_none() const { return kept_.empty(); }
+        // Calls use(outline, distance) for those within `clearance` of the cell, and for others.
+        template <typename Use>
+        void visit_near(const Cell& cell, double clearance, Use use) const;
+        // The least of_one(outline, distance), which must be at least a place's distance from the
+        // outline, less the distance that samples keep from it. Infinity without any outline.
+        template <typename OfOne>
+        double least(Point place, OfOne of_one) const;
+
+    private:
+        struct Kept {
+            Outline outline;
+            double distance;  // that samples keep from it
+        };
+        static std::vector<Kept> kept_of(std::span<const PolygonSet> sets,
+                                         bool (*are_wanted)(Role role));
+
+        std::vector<Kept> kept_;
+        RectangleTree tree_;  // of rectangles that hold all places within the distance
     };
-    std::vector<Kept> allowed_;  // none: samples may lie everywhere
-    std::vector<Kept> forbidden_;
-    std::vector<Kept> near_;  // none: samples may lie far from all
+    Outlines allowed_;  // none: samples may lie everywhere
+    Outlines forbidden_;
+    Outlines near_;  // none: samples may lie far from all
 };
 
 }  // namespace lacuna::verify
