@@ -71,6 +71,9 @@ public:
         const Box& box = active.at;
         under_ = {even_radius_, even_radius_, true};
         if (even_radius_ == 0 && halve_) {
+            under_ = field_.under(box);
+            if (under_.least == 0) return;
+            if (under_.is_even) return cut_at(box, middle_of(box), visit);
             return cut_at(box, field_.cut_x(box), [&](const Box& side) {
                 const std::uint32_t y = field_.cut_y(side);
                 if (y == 0) return visit_allowed(side, visit);
@@ -79,7 +82,7 @@ public:
             });
         }
         if (even_radius_ == 0) under_ = kUnread;
-        cut_at(box, halve_ && box.width > 1 ? box.x + box.width / 2 : 0, visit);
+        cut_at(box, halve_ ? middle_of(box) : 0, visit);
     }
     BlockBox active(const Box& box) const { return {box, block_}; }
     bool wraps(const Box&) const { return wraps_; }
@@ -121,6 +124,10 @@ private:
         const std::uint32_t x = std::min(a.x, b.x);
         return {x, std::max(a.x + a.width, b.x + b.width) - x, std::min(a.begin, b.begin),
                 std::max(a.end, b.end)};
+    }
+    // Where an even box is halved; 0 if it is too narrow.
+    static std::uint32_t middle_of(const Box& box) {
+        return box.width > 1 ? box.x + box.width / 2 : 0;
     }
     // Visits both sides of a cut at `x`, or the whole box if this is 0.
     template <typename Visit>
