@@ -113,8 +113,7 @@ cached() {
 }
 
 # configure TESTS: configures build/, with the tests and benchmarks if TESTS is ON. A build/ that
-# has tests keeps them. So nothing is compiled again, whichever command came first. LACUNA_CMAKE_OPTIONS
-# has more options for cmake.
+# has tests keeps them. So nothing is compiled again, whichever command came first.
 configure() {
     local options=("-DLACUNA_TESTS=$1" "-DLACUNA_BENCHMARKS=$1") source tests
     source=$(cached CMAKE_HOME_DIRECTORY)
@@ -130,8 +129,6 @@ configure() {
     # .ci/timed notes the time of each test program.
     [[ -z ${CI:-} ]] ||
         options+=(-DLACUNA_WERROR=ON "-DCMAKE_CROSSCOMPILING_EMULATOR=$root/.ci/timed")
-    # shellcheck disable=SC2206  # options without spaces, one after the other
-    options+=(${LACUNA_CMAKE_OPTIONS:-})
     (cd "$root" && cmake --preset release "${options[@]}") ||
         die "configuring failed: the first 'CMake Error' above says why"
 }

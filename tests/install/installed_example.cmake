@@ -20,10 +20,9 @@ if(SHARED_SOURCE)
     run("configuring the shared library" ${CMAKE_COMMAND} ${toolchain} -S ${SHARED_SOURCE} -B ${BUILD}
         -D BUILD_SHARED_LIBS=ON -D LACUNA_EXTRAS=ON -D LACUNA_COMMAND=OFF -D LACUNA_TESTS=OFF
         -D LACUNA_BENCHMARKS=OFF
-        # Without optimisation, in few units, and without the headers of devices, which take most of
-        # the time: only building and finding are tested.
-        -D CMAKE_BUILD_TYPE=None -D CMAKE_UNITY_BUILD=ON -D CMAKE_UNITY_BUILD_BATCH_SIZE=48
-        -D LACUNA_OPENCL=OFF -D LACUNA_VULKAN=OFF)
+        # Without optimisation and without the headers of devices, which take most of the time: only
+        # building and finding are tested.
+        -D CMAKE_BUILD_TYPE=None -D LACUNA_OPENCL=OFF -D LACUNA_VULKAN=OFF)
     run("building the shared library" ${CMAKE_COMMAND} --build ${BUILD})
 endif()
 

@@ -18,6 +18,7 @@ target_include_directories(mpi_test PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_definitions(mpi_test PRIVATE LACUNA_PROGRAM="$<TARGET_FILE:lacuna_command>"
     LACUNA_MPI_PROGRAM="$<TARGET_FILE:lacuna_mpi>" LACUNA_MPIRUN="${MPIEXEC_EXECUTABLE}")
 target_compile_features(mpi_test PRIVATE cxx_std_20)
+target_compile_options(mpi_test PRIVATE $<$<CONFIG:Release>:-O1>)
 target_link_libraries(mpi_test PRIVATE lacuna_options GTest::gtest_main)
 add_dependencies(mpi_test lacuna_command lacuna_mpi)
 gtest_discover_tests(mpi_test TEST_PREFIX mpi. DISCOVERY_TIMEOUT 600

@@ -23,7 +23,7 @@ namespace lacuna::opencl {
 std::span<const std::string_view> arithmetic_sources();  // arithmetic.cl, embedded
 }
 
-namespace {
+namespace arithmetic_test {
 
 using namespace lacuna;
 using namespace lacuna::portable;
@@ -162,4 +162,4 @@ TEST_P(Arithmetic, IsTheSameOnOpenClDevicesThatHaveNoDoubles) {
     expect_equal("#undef cl_khr_fp64\n");
 }
 
-}  // namespace
+}  // namespace arithmetic_test
