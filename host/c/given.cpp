@@ -106,6 +106,7 @@ Given::Given(const lacuna_given* given, Request& request, const options::Command
 void ClassesAndBorders::add_to(options::Targets& targets) {
     targets["class"] = &classes_.given;
     targets["between"] = &classes_.between;
+    targets["priority"] = &classes_.by_priority;
     targets["border"] = &borders_;  // in place of the request's own, which is not of one class
     targets["inside-by-radius"] = &inside_by_radius_;
 }

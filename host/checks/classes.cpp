@@ -61,6 +61,18 @@ void check_classes_of_points(const Classes& classes, const char* option, std::si
                     ", the number of classes");
 }
 
+void check_priority(const Classes& classes) {
+    if (!classes.by_priority) return;
+    if (classes.names.empty())
+        throw BadRequest("priority", "without classes", "is the order of classes");
+    for (std::size_t i = 0; i < classes.weights.size(); ++i)
+        if (classes.weights[i] != 0 && classes.weights[i] != 1)
+            throw BadRequest(
+                "priority",
+                "with class " + classes.names[i] + " of weight " + shortest(classes.weights[i]),
+                "each class is full before the next begins: give no weight, or 0");
+}
+
 double least_distance_of(const Classes& classes) {
     double least = std::numeric_limits<double>::infinity();
     for (const double distance : classes.distances)
@@ -105,6 +117,10 @@ const Mask* mask_of(const Request& request, std::size_t of_class) {
 bool has_counts(const Classes& classes) {
     const auto has_one = [](const auto& count) { return count.has_value(); };
     return std::any_of(classes.counts.begin(), classes.counts.end(), has_one);
+}
+
+bool has_stages(const Classes& classes) {
+    return has_counts(classes) || (classes.by_priority && classes.names.size() > 1);
 }
 
 bool is_open(const Classes& classes, std::size_t of_class) {

@@ -35,6 +35,8 @@ const Mask* mask_of(const Request& request, std::size_t of_class);
 bool has_own_places(const Places& places);
 // Whether a class has a number of points.
 bool has_counts(const Classes& classes);
+// Whether the set is made in stages, in which not all classes are drawn.
+bool has_stages(const Classes& classes);
 // Whether a class is drawn until it has no room: one that has a weight and no number of points.
 bool is_open(const Classes& classes, std::size_t of_class);
 // Whether there is such a class, so that a set may be maximal, or no class at all.
@@ -42,6 +44,8 @@ bool has_open_class(const Classes& classes);
 
 // Checks that there is none of `what`, or one for each class. Throws BadRequest.
 void check_each(const Classes& classes, const char* option, std::size_t size, const char* what);
+// Checks that an order of classes has classes, and no weights. Throws BadRequest.
+void check_priority(const Classes& classes);
 // Checks the distances of classes that have names: that they are a matrix of finite numbers, the
 // same both ways, and over 0 within each class. Throws BadRequest.
 void check_distances(const Classes& classes);

@@ -64,6 +64,7 @@ Classes read_classes(const ClassOptions& options,
                      std::vector<double> (*read_matrix)(const std::string& path,
                                                         const std::vector<std::string>& names)) {
     Classes classes;
+    classes.by_priority = options.by_priority;
     if (options.given.empty()) return classes;
     std::vector<double> radii;
     for (const std::string& text : options.given) {

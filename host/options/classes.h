@@ -12,6 +12,7 @@ namespace lacuna::options {
 struct ClassOptions {
     std::vector<std::string> given;  // NAME:RADIUS:WEIGHT:N, where all but the name may be missing
     std::string between = "sum";     // a rule, or the path of a matrix
+    bool by_priority = false;        // of --priority
     bool has_file() const { return between != "sum" && between != "union"; }
 };
 

@@ -122,6 +122,10 @@ constexpr Row kRows[] = {
      "do not overlap; union: each class alone and all together are evenly distributed; or a file "
      "of distances, .csv or .json, a row and a column a class, perhaps with their names, which "
      "leaves no R to --class"},
+    {{"priority", "", Kind::flag, kPlaced},
+     "With --class: each class is full before the next begins, in the order in which they are "
+     "given: first as many trees as have room, then bushes, then grass. verify then proves that "
+     "there is no room beside the classes before"},
     {{"mask", "[NAME:]IMAGE", Kind::places, kPlaced, {.repeats = true}},
      "A picture that says where points may lie: on pixels that are neither black nor transparent; "
      "NAME:IMAGE is that of one class, and may be given for each"},

@@ -52,6 +52,9 @@ constexpr Pairs kPairs[] = {
 
     // Classes and places
     {kSample | kVerify, "between", Needs::one_of, "class", "is for classes of points"},
+    {kSample, "priority", Needs::one_of, "class", "is the order of classes"},
+    {kSample, "priority", Needs::none_of, "count limit progressive",
+     "classes are full one after the other"},
     {kSample, "radius scale", Needs::none_of, "class", "each class has a radius of its own"},
     {kSample | kVerify, "edge", Needs::one_of, kOutlines,
      "is for the outlines in these files: give one too"},

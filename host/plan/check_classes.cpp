@@ -94,6 +94,10 @@ void check_counts(const Request& request) {
 
 void check_classes(const Request& request) {
     const Classes& classes = request.classes;
+    check_priority(classes);
+    if (classes.by_priority && (request.count || request.limit || request.progressive))
+        throw BadRequest("priority", "with --count, --limit or --progressive",
+                         "classes are full one after the other");
     const std::string mode = "with mode " + std::string(name_of(request.mode));
     if (classes.names.empty()) {
         const Places& places = request.places;  // outlines name their classes themselves

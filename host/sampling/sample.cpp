@@ -19,7 +19,7 @@
 #include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "plan/sizes.h"
-#include "sampling/class_counts.h"
+#include "sampling/class_stages.h"
 #include "sampling/count_search.h"
 #include "sampling/generate.h"
 #include "sampling/progressive.h"
@@ -147,7 +147,7 @@ Result sample_checked(const CheckedRequest& request, Observer& observer) {
     if (request->mode == Mode::cells) sums = sums_of(*request->field, ask);
     if (!request->count) {
         check_kept_distances(request, request.places_of_kept());
-        if (has_counts(request->classes)) return sample_with_counts(request, observer, ask);
+        if (has_stages(request->classes)) return sample_in_stages(request, observer, ask);
         return run(request, sums, observer);
     }
 

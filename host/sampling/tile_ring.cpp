@@ -16,7 +16,6 @@
 #include "base/number_text.h"
 #include "checks/classes.h"
 #include "plan/checked_request.h"
-#include "sampling/class_counts.h"
 
 namespace lacuna {
 namespace {

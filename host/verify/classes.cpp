@@ -8,6 +8,7 @@
 #include "checks/classes.h"
 #include "places/sets.h"
 #include "verify/closest_unlike.h"
+#include "verify/neighbours.h"
 #include "verify/verify.h"
 
 namespace lacuna::verify {
@@ -21,6 +22,13 @@ public:
         of_class_.resize(count);
         for (std::size_t i = 0; i < claim.class_of_points.size(); ++i)
             of_class_[claim.class_of_points[i]].push_back(i);
+    }
+
+    // Without the samples of the classes behind `last`, but for those that were kept: the first
+    // `kept` ones, and all from `members` on.
+    void drop_later(std::size_t last, std::size_t kept, std::size_t members) {
+        for (std::size_t kind = last + 1; kind < count(); ++kind)
+            std::erase_if(of_class_[kind], [&](std::size_t i) { return i >= kept && i < members; });
     }
 
     std::size_t count() const { return of_class_.size(); }
@@ -112,12 +120,18 @@ Pair closest_of_classes(const Domain& domain, const Claim& claim, std::span<cons
 }
 
 GapOfClass largest_gap_of_classes(const Fields& fields, const Claim& claim,
-                                  std::span<const Disk> samples, double tolerance,
-                                  const Patience& patience) {
-    const Kinds kinds(claim);
+                                  std::span<const Disk> samples, std::size_t members,
+                                  double tolerance, const Patience& patience) {
+    const Kinds all(claim);
+    const Outside outside(claim);
+    const auto kept = static_cast<std::size_t>(
+        std::count_if(claim.keep.begin(), claim.keep.end(),
+                      [&](const Point& point) { return !outside.has(point); }));
     GapOfClass largest{{}, 0};
-    for (std::size_t kind = 0; kind < kinds.count(); ++kind) {
+    for (std::size_t kind = 0; kind < all.count(); ++kind) {
         if (!is_open(claim.classes, kind)) continue;
+        Kinds kinds = all;
+        if (claim.classes.by_priority) kinds.drop_later(kind, kept, members);
         std::vector<Disk> disks;
         for (std::size_t other = 0; other < kinds.count(); ++other) {
             if (kinds.share(other, kind) == 0) continue;

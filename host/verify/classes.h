@@ -40,13 +40,15 @@ private:
 Pair closest_of_classes(const Domain& domain, const Claim& claim, std::span<const Disk> samples,
                         const Patience& patience);
 
-// The largest gap of the classes that are drawn, and the class for which it is.
+// The largest gap of the classes that are drawn, and the class for which it is. Samples from
+// `members` on are neighbours. By priority a class is asked beside those before it, and what was
+// kept.
 struct GapOfClass {
     Gap gap;
     std::size_t of_class;
 };
 GapOfClass largest_gap_of_classes(const Fields& fields, const Claim& claim,
-                                  std::span<const Disk> samples, double tolerance,
-                                  const Patience& patience);
+                                  std::span<const Disk> samples, std::size_t members,
+                                  double tolerance, const Patience& patience);
 
 }  // namespace lacuna::verify

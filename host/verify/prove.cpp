@@ -162,7 +162,8 @@ void prove_on_field(std::span<const Point> points, std::size_t members, const Cl
         [&] {
             const auto [gap, of_class] =
                 has_classes
-                    ? largest_gap_of_classes(fields, claim, samples.most, tolerance, patience)
+                    ? largest_gap_of_classes(fields, claim, samples.most, members, tolerance,
+                                             patience)
                     : GapOfClass{largest_gap(fields.any(), samples.most, tolerance, patience), 0};
             tell_of(gap, tolerance + domain.rounding(), gap.limit, domain, proof);
             proof.largest_gap_class = of_class;

@@ -47,6 +47,7 @@ namespace {
 // What samplers ask of classes besides, such as names without commas, is no matter of a proof.
 void check_classes(const Claim& claim, std::size_t points) {
     const Classes& classes = claim.classes;
+    check_priority(classes);
     if (classes.names.empty()) return;
     check_distances(classes);
     check_each(classes, "class", classes.weights.size(), " weights");

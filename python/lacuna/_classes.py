@@ -24,9 +24,13 @@ if TYPE_CHECKING:
     Bytes = npt.NDArray[np.uint8]
 
 
-def classes_of(classes: ClassSizes | None, between: object) -> dict[str, Any]:
+def classes_of(
+    classes: ClassSizes | None, between: object, priority: object = False
+) -> dict[str, Any]:
     """The classes among the options of a request; empty if there are none."""
     if classes is None:
+        if flag("priority", priority):
+            raise BadRequest("priority", "without classes", "is the order of classes")
         if not isinstance(between, str) or between != "sum":
             raise BadRequest("between", shown(between), "is for classes")
         return {}
@@ -51,7 +55,9 @@ def classes_of(classes: ClassSizes | None, between: object) -> dict[str, Any]:
         distances = _matrix_of(between, len(radii))
     weights = [weight for _, weight, _ in sizes]
     counts = [count for _, _, count in sizes]
-    own = {"counts": counts} if any(count is not None for count in counts) else {}
+    own: dict[str, Any] = {"counts": counts} if any(count is not None for count in counts) else {}
+    if flag("priority", priority):
+        own["priority"] = True
     return {"class_names": list(classes), "distances": distances, "weights": weights, **own}
 
 

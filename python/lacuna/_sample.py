@@ -51,6 +51,7 @@ def sample(
     keep: npt.ArrayLike | None = None,
     classes: ClassSizes | None = None,
     between: str | npt.ArrayLike = "sum",
+    priority: bool = False,
     keep_classes: Iterable[object] | None = None,
     domain: Domain | None = None,
     on_pixels: tuple[Whole, Whole] | None = None,
@@ -144,6 +145,9 @@ def sample(
         The least distance of two classes. 'sum': the sum of their radii, as of objects that do not
         overlap. 'union': each class alone is a set of its radius, and all together are evenly
         distributed. Or a symmetric matrix; the radii in ``classes`` are then None.
+    priority : bool
+        With classes: each is full before the next begins, in the order of the dict: as many trees
+        as have room, then bushes, then grass. Not with weights, ``n``, ``limit`` or ``progressive``.
     keep_classes : iterable of str or int, optional
         With classes, of each point of ``keep``: the name of its class, or its place in ``classes``.
         By default those of ``keep``, if it is a PointSet with classes.
@@ -271,7 +275,7 @@ def sample(
     if ellipses is not None and scale is None and n is None and classes is None:
         scale = 1
     kept = None if keep is None else points_array("keep", keep)
-    kinds = classes_of(classes, between)
+    kinds = classes_of(classes, between, priority)
     masks, first_mask = masks_of(mask, kinds)
     borders = borders_of(border, inside_by_radius, kinds)
     places = places_of(inside, outside, avoid, near)
@@ -320,6 +324,7 @@ class More(TypedDict, total=False):
 
     classes: ClassSizes | None
     between: str | npt.ArrayLike
+    priority: bool
     domain: Domain
     on_pixels: tuple[Whole, Whole]
     torus: bool
@@ -372,7 +377,7 @@ def sample_many(
     radius, n : float, int
         As for ``sample``.
     **more
-        classes, between, domain, on_pixels, torus, mode, progressive, limit, lines_per_radius, snap,
+        classes, between, priority, domain, on_pixels, torus, mode, progressive, limit, lines_per_radius, snap,
         uniform_x, round_size, backend, device and threads, as for ``sample``; memory_limit, which
         is for each set; and progress, which is called with the number of sets that are done and the
         number of all sets, for an iterator with the number of seeds that have been read.
@@ -407,7 +412,9 @@ def sample_many(
     for name in more:
         if name not in More.__annotations__:
             raise TypeError(f"sample_many() got an unexpected keyword argument {name!r}")
-    kinds = classes_of(more.pop("classes", None), more.pop("between", "sum"))
+    kinds = classes_of(
+        more.pop("classes", None), more.pop("between", "sum"), more.pop("priority", False)
+    )
     progress = more.pop("progress", None)
     frame = more.pop("frame", None)
     width = None if frame is None else real("frame", frame)

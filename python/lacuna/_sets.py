@@ -440,7 +440,7 @@ def set_attributes(made: dict[str, Any], **more: object) -> dict[str, Any]:
         made["distances"] = made["distances"].reshape(count, count)
         request["class_names"] = list(made["classes"])
         request |= {"distances": made["distances"].tolist(), "weights": promised["weights"]}
-    for name in ("border", "borders", "counts"):
+    for name in ("border", "borders", "counts", "priority"):
         if promised[name]:
             request[name] = promised[name]
     if made["relaxed"] is not None:

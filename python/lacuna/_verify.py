@@ -206,6 +206,7 @@ def verify(
     keep_classes: Iterable[object] | None = None,
     classes: ClassSizes | None = None,
     between: str | npt.ArrayLike = "sum",
+    priority: bool | None = None,
     class_of: Iterable[object] | None = None,
     domain: Domain | None = None,
     torus: bool | None = None,
@@ -254,6 +255,9 @@ def verify(
     classes, between
         As of ``sample``: each two classes have a least distance, and no spot may be left where a
         point of any class with a weight has room. By default a PointSet's own.
+    priority : bool, optional
+        Whether there is no room for a point of a class beside those of the classes before it, its
+        own and those kept. By default as the PointSet was made.
     class_of : iterable of str or int, optional
         The class of each point: its name, or its place in ``classes``. By default a PointSet's own.
     domain : tuple of float, optional
@@ -312,6 +316,8 @@ def verify(
             "weights": own["weights"],
             "counts": own["counts"],
         }
+    if own.get("priority") if priority is None else flag("priority", priority):
+        kinds = kinds | {"priority": True}
     masks, first_mask = masks_of(mask, kinds)
     if kinds and radius is None and scale is None:
         least = min((one for one in kinds["distances"] if one > 0), default=0.0)

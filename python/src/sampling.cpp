@@ -70,6 +70,7 @@ nb::dict promises_of(const Claim& claim) {
     promised["distances_only"] = claim.distances_only;
     promised["weights"] = claim.classes.weights;
     promised["counts"] = claim.classes.counts;
+    promised["priority"] = claim.classes.by_priority;
     const SortedKept kept = sorted_kept({.domain = claim.domain,
                                          .radius = claim.radius,
                                          .classes = claim.classes,
@@ -155,6 +156,7 @@ void read_classes(const nb::dict& given, Classes& classes) {
     read(given, "distances", classes.distances);
     read(given, "weights", classes.weights);
     read(given, "counts", classes.counts);
+    read(given, "priority", classes.by_priority);
 }
 
 void read_places(const nb::dict& given, Places& places) {

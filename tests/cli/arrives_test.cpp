@@ -200,6 +200,7 @@ TEST_F(OptionsOfSample, ThatNameClassesArriveInTheRequest) {
          {{"--class", "a:0.05:1:12", "--class", "b:0.02"}, with([](Request& r) {
               r.classes.counts = {12, {}};
           })},
+         {joined(common, {"--priority"}), with([](Request& r) { r.classes.by_priority = true; })},
          {{"--class", "a", "--class", "b::3", "--between", matrix}, of_matrix},
          {{"--class", "a", "--class", "b::3", "--between", same}, of_matrix},
          {joined(common, {"--between", "union", "--keep", keep}), with([&](Request& r) {

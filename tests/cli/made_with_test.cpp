@@ -95,6 +95,7 @@ std::vector<Capability> capabilities(const Folder& folder) {
             {"classes by union", joined(kinds, {"--between", "union"}), ""},
             {"classes by a matrix", {"--class", "a", "--class", "b::3", "--between", matrix}, ""},
             {"numbers of classes", {"--class", "a:.06:1:12", "--class", "b:.02"}, ""},
+            {"classes one after the other", joined(kinds, {"--priority"}), ""},
             {"borders of classes", joined(kinds, {"--border", "a:.2", "--border", ".1"}), ""},
             {"masks of classes",
              joined(joined(kinds, unit), {"--mask", "a:" + left, "--mask", mask}),

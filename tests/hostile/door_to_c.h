@@ -74,6 +74,7 @@ inline OptionsText common_options_of(const Made& made) {
         line.add("class", classes.names[i], ":", made.radii[i], ":",
                  classes.weights.empty() ? 1 : classes.weights[i]);
     if (made.is(kClasses, "union")) line.add("between", "union");
+    if (classes.by_priority) line.add("priority");
     const Places& places = request.places;
     if (places.border > 0 && places.borders.empty()) line.add("border", places.border);
     for (std::size_t i = 0; i < places.borders.size(); ++i)

@@ -1,4 +1,5 @@
-// Judges the sets of a request of classes once more, with a number of points for one of them.
+// Judges the sets of a request of classes once more, with a number of points for one of them, and
+// with one class after the other.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -13,10 +14,17 @@
 
 #include "hostile/answers.h"
 #include "hostile/counts.h"
+#include "hostile/door_to_c.h"
 #include "hostile/judge_set.h"
 #include "hostile/made.h"
 
 namespace lacuna::tests {
+
+inline bool may_have_stages(const Made& made) {
+    const Request& request = made.request;
+    return request.classes.names.size() > 1 && made.frame == 0 && !request.count &&
+           !request.limit && !request.progressive;
+}
 
 inline std::uint64_t points_of_class(std::size_t of_class, std::span<const std::uint8_t> classes) {
     return static_cast<std::uint64_t>(
@@ -30,8 +38,7 @@ inline void judge_counts(Made& made, const std::vector<Result>& sets,
     Request& request = made.request;
     Classes& classes = request.classes;
     const std::size_t kinds = classes.names.size();
-    if (kinds < 2 || made.frame > 0 || request.count || request.limit || request.progressive)
-        return;
+    if (!may_have_stages(made)) return;
     const std::size_t kind = random() % kinds;
     const std::uint64_t kept = points_of_class(kind, made.keep_classes);
     std::uint64_t most = points_of_class(kind, sets.front().classes);
@@ -51,6 +58,48 @@ inline void judge_counts(Made& made, const std::vector<Result>& sets,
     for (const Result& set : answer.sets) {
         demand(points_of_class(kind, set.classes) == wanted, asked + "there are others");
         judge_set(made, set, random, counts);
+    }
+}
+
+// A set without the points of classes behind `last`, but for those that were kept.
+inline Result without_later(Result set, std::size_t last, std::size_t kept) {
+    Result first = set;
+    first.points.clear();
+    first.classes.clear();
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        if (set.classes[i] > last && i >= kept) continue;
+        first.points.push_back(set.points[i]);
+        first.classes.push_back(set.classes[i]);
+    }
+    return first;
+}
+
+// The points of the first classes are a set of these alone, whichever class is the last.
+inline void judge_priority(Made& made, const std::vector<std::string>& names, Random& random,
+                           Counts& counts) {
+    if (!may_have_stages(made)) return;
+    Classes& classes = made.request.classes;
+    classes.counts.clear();
+    for (double& weight : classes.weights) weight = weight > 0 ? 1 : 0;
+    classes.by_priority = true;
+    const Answer answer = answer_of_all(made, names, counts);
+    demand(answer.refusal.empty(), "by priority a request is refused: " + answer.refusal);
+    judge_in_c(made, answer, counts);
+    for (const Result& result : answer.sets) {
+        const Set set{made.request,   result.points,
+                      result.classes, made.request.field != nullptr ? result.scale : result.radius,
+                      result.maximal, made.keep.size()};
+        demand_proof(set, claim_of(set), "its order of classes", counts);
+    }
+    classes.by_priority = false;
+    classes.weights.resize(classes.names.size(), 1);
+    for (std::size_t last = classes.names.size(); last-- > 0;) {
+        if (std::count(classes.weights.begin(), classes.weights.end(), 0) ==
+            static_cast<std::ptrdiff_t>(classes.weights.size()))
+            break;
+        for (const Result& result : answer.sets)
+            judge_set(made, without_later(result, last, made.keep.size()), random, counts);
+        classes.weights[last] = 0;
     }
 }
 

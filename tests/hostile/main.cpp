@@ -168,6 +168,7 @@ private:
         if (made->is_moved())
             tests::judge_moved(*made, answer.sets.front().points.size(), answer.moved);
         tests::judge_counts(*made, answer.sets, names_, random, counts_);
+        tests::judge_priority(*made, names_, random, counts_);
     }
 
     // What relax() refuses needs a set, so that sample() must not refuse the request.

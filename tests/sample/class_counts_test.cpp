@@ -115,4 +115,41 @@ TEST(CountsOfClasses, AreProvenAndRefuted) {
               "class 1 numbers of points: must be one for each of the 3 classes");
 }
 
+// What weights cannot do: as many trees as a set of trees alone has.
+TEST(ClassesByPriority, AreFullOneAfterTheOther) {
+    Request request = wood();
+    const Result by_weight = sample(request);
+    request.classes.by_priority = true;
+    const Result set = sample(request);
+    EXPECT_TRUE(set.maximal);
+    EXPECT_TRUE(std::is_sorted(set.classes.begin(), set.classes.end()));
+    Request alone = wood();
+    alone.classes.weights = {1, 0, 0};
+    EXPECT_EQ(points_of(kTrees, set), sample(alone).points.size());
+    EXPECT_GT(points_of(kTrees, set), 2 * points_of(kTrees, by_weight));
+    expect_proven(request, set);
+    // The set by weights is maximal, but not in trees alone.
+    Claim claim = claim_of(wood(), by_weight);
+    EXPECT_TRUE(prove(by_weight.points, claim).maximal);
+    claim.classes.by_priority = true;
+    const Proof proof = prove(by_weight.points, claim);
+    EXPECT_FALSE(proof.covered);
+    EXPECT_EQ(proof.largest_gap_class, kTrees);
+}
+
+TEST(ClassesByPriority, EndAtTheirNumbersAndAreProvenBesideKeptPoints) {
+    Request request = wood();
+    request.classes.by_priority = true;
+    request.classes.counts = {12, {}, 30};
+    const std::vector<Point> keep{{0.5, 0.5}, {1.01, 0.2}};
+    const std::vector<std::uint8_t> grass{kGrass, kGrass};
+    request.keep = keep;
+    request.keep_classes = grass;
+    const Result set = sample(request);
+    EXPECT_EQ(points_of(kTrees, set), 12U);
+    EXPECT_EQ(points_of(kGrass, set), 30U);
+    EXPECT_TRUE(std::is_sorted(set.classes.begin() + 1, set.classes.end()));
+    expect_proven(request, set);
+}
+
 }  // namespace

@@ -53,6 +53,7 @@ Examples:
   lacuna sample --on-pixels 512x80 --count 5000 -o mask.png   on pixels, one on each at most
   lacuna sample --keep trees.csv --radius 0.02 -o more.csv   fills the space around given points
   lacuna sample --class trees:0.03 --class grass:0.006 -o wood.csv   kinds of points
+  lacuna sample --class trees:0.03 --class grass:0.006 --priority -o wood.csv   trees before grass
   lacuna sample --on bunny.ply --radius 0.01 -o points.ply   on the surface of a mesh, with normals
   lacuna sample --domain 1x1x1 --torus --radius 0.02 -o volume.npy   in a volume
   lacuna sample --count 256 --torus --seeds 0..999 -o 'tiles/{seed}.npy'   a thousand small tiles

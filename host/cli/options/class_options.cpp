@@ -191,6 +191,7 @@ Json json_of(const Classes& classes) {
     json["class_names"] = classes.names;
     json["distances"] = rows;
     json["weights"] = classes.weights;
+    if (classes.by_priority) json["priority"] = true;
     if (has_counts(classes))
         for (const auto& own : classes.counts)
             json["counts"].push_back(own ? Json(*own) : Json(nullptr));

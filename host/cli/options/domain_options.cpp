@@ -83,6 +83,7 @@ Targets targets_of(DomainOptions& options) {
                     {"stretch", &options.ellipses.same},
                     {"class", &options.classes.given},
                     {"between", &options.classes.between},
+                    {"priority", &options.classes.by_priority},
                     {"mask", &options.mask},
                     {"edge", &options.edge},
                     {"border", &options.borders},

@@ -90,7 +90,9 @@ std::shared_ptr<const Field> use_values(const CommandLine& line, const files::Or
         if (scale > 0) request.scale = scale;
     }
     Classes& classes = request.classes;
+    const bool by_priority = classes.by_priority;
     if (classes.names.empty()) classes = origin.classes;
+    classes.by_priority = by_priority || origin.values.contains("priority");
     if (!line.has("border") && !line.has("inside-by-radius")) {
         request.places.border = number_of(origin, "border").value_or(0);
         if (classes.names == origin.classes.names) request.places.borders = origin.borders;

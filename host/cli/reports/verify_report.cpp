@@ -177,7 +177,8 @@ std::string kind(const SetClaim& claim) {
                            ? fmt::format(" that follows the field at scale {}", claim.scale)
                            : fmt::format(" of radius {}", claim.radius);
     if (!claim.classes.names.empty())
-        kind = fmt::format(" of {} classes{}", claim.classes.names.size(),
+        kind = fmt::format(" of {} classes{}{}", claim.classes.names.size(),
+                           claim.classes.by_priority ? ", each beside those before it" : "",
                            has_counts(claim.classes) ? " with their numbers of points" : "");
     if (claim.places.mask != nullptr || !claim.places.masks.empty() ||
         !claim.places.outlines.empty() || !borders(claim).empty())

@@ -94,6 +94,11 @@ struct Classes {
     // two classes or more, without Request::count, limit and progressive. sample() throws
     // BadRequest if fewer points find room.
     std::vector<std::optional<std::uint64_t>> counts{};
+    // Whether each class is drawn until none of it has room, or until it has its number, before the
+    // next one begins, in the order of the names. The set is then maximal in each class beside the
+    // kept points and the classes before it alone. No weight may be other than 0 or 1. Without
+    // Request::count, limit and progressive.
+    bool by_priority = false;
 };
 
 // The distances of round objects of these radii that do not overlap: the sum of two radii. Two

@@ -79,7 +79,9 @@ struct Claim {
 
     // Classes of points, as in Request. No two points may be closer than the distance of their
     // classes, and no spot may be left where a point of any class with a weight, and without a
-    // count, has room. With a radius or scale the distances are in proportion, as in Request.
+    // count, has room. By priority no spot may be left beside the points of its own class, of those
+    // before it and of `keep`. With a radius or scale the distances are in proportion, as in
+    // Request.
     Classes classes{};
     std::span<const std::uint8_t> class_of_points{};  // of each point: its place in the names
 
