@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "c/calls.h"
 #include "c/given.h"
 #include "checks/classes.h"
+#include "options/chunk.h"
 #include "options/claim.h"
 #include "options/make.h"
 #include "options/read_text.h"
@@ -60,6 +62,8 @@ lacuna_set* sampled(const char* options, const lacuna_given* given) {
     targets["metric"] = &choices.metric;
     targets["relax"] = &choices.relax;
     classes.add_to(targets);
+    options::ChunkOptions chunk_options;
+    targets.merge(options::targets_of(chunk_options));
     const options::CommandLine line =
         options::read_text(options::kSample, options, targets, c::names_of(given, "field"));
     const c::Given held(given, request, line);
@@ -68,6 +72,8 @@ lacuna_set* sampled(const char* options, const lacuna_given* given) {
     choices.gaussian = moves.gaussian;
     moves.iterations = options::relax_of(choices);
     options::settle(choices, request);
+    const std::optional<Chunk> chunk = options::chunk_of(chunk_options, request);
+    if (chunk) request = chunk->request;
     Watched observer;
     return set_of(request, options::make(request, moves, observer).result);
 }

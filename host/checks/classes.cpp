@@ -104,6 +104,11 @@ std::vector<double> distances_of(const Classes& classes) {
     return distances;
 }
 
+double greatest_share(const Classes& classes) {
+    const std::vector<double> shares = distances_of(classes);
+    return *std::max_element(shares.begin(), shares.end());
+}
+
 double border_of(const Request& request, std::size_t of_class) {
     const std::vector<double>& own = request.places.borders;
     return own.empty() ? request.places.border : own[of_class];

@@ -27,6 +27,8 @@ double size_of(const Claim& claim);
 // count, or a radius or scale of its own.
 double distance_factor(const Request& request, const Result& result);
 
+// The greatest of these shares.
+double greatest_share(const Classes& classes);
 // Where samples of a class may lie: its own border and mask, or those of the request. The class is
 // 0 in a request without classes.
 double border_of(const Request& request, std::size_t of_class);

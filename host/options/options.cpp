@@ -73,7 +73,9 @@ constexpr Row kRows[] = {
 
     // Pictures
     {{"field", "IMAGE", Kind::read_file, kPlaced},
-     "A picture that says where points are wanted: many where it is dark, none where it is white"},
+     "A picture that says where points are wanted: many where it is dark, none where it is white. "
+     "IMAGE@X0,Y0+WxH lies in this rectangle, of which the domain is a part, and IMAGE@world where "
+     "its world file says"},
     {{"scale", "G", Kind::number, kPlaced},
      "With --field, instead of --radius: the radius where the picture is black"},
     {{"scale", "G", Kind::number, kStipple | kCompare},
@@ -128,7 +130,7 @@ constexpr Row kRows[] = {
      "there is no room beside the classes before"},
     {{"mask", "[NAME:]IMAGE", Kind::places, kPlaced, {.repeats = true}},
      "A picture that says where points may lie: on pixels that are neither black nor transparent; "
-     "NAME:IMAGE is that of one class, and may be given for each"},
+     "NAME:IMAGE is that of one class, and may be given for each; IMAGE@X0,Y0+WxH as for --field"},
     {{"inside", "[NAME:]FILE", Kind::places, kPlaced, {.repeats = true}},
      "Polygons that points must lie in: .svg, .geojson or .txt (`x y` on each line, a blank line "
      "between rings); FILE.svg#NAME is the part with this id or Inkscape label; polygons that "
@@ -207,6 +209,13 @@ constexpr Row kRows[] = {
     {{"seeds", "A..B", Kind::text, kSample},
      "A set for each seed from A to B, both included; each goes to a file of its own: every "
      "--output has {seed} in its name. Instead of --seed"},
+    {{"chunk", "I,J", Kind::text, kSample},
+     "The chunk of a plane that is cut into squares, I of them to the right and J up from 0,0, "
+     "such "
+     "as 3,-2: each chunk is the same in whatever order they are made, and all of them are one "
+     "maximal set"},
+    {{"chunk-size", "D", Kind::number, kSample},
+     "With --chunk: the side of the squares, longer than any two points must be apart"},
     {{"frame", "D", Kind::number, kSample},
      "With --seeds and --torus: all sets have the same points within D of the edges, so that any "
      "of them fit side by side, as tiles; at least 1.5 times the greatest distance of two points"},

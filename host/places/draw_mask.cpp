@@ -142,9 +142,12 @@ Domain large_enough(Domain box) {
 
 Domain domain_around(const Places& places, const Field* field) {
     if (field != nullptr) return domain_like(field->columns, field->rows);
-    if (places.mask != nullptr) return domain_like(places.mask->columns, places.mask->rows);
+    const auto shape_of = [](const Mask& mask) {
+        return mask.extent ? *mask.extent : domain_like(mask.columns, mask.rows);
+    };
+    if (places.mask != nullptr) return shape_of(*places.mask);
     for (const Mask* const mask : places.masks)
-        if (mask != nullptr) return domain_like(mask->columns, mask->rows);
+        if (mask != nullptr) return shape_of(*mask);
     Extent all;
     for (const Outline& outline : places.outlines) {
         if (outline.polygons.page) return *outline.polygons.page;

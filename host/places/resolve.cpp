@@ -11,6 +11,7 @@
 
 #include "checks/classes.h"
 #include "checks/pixels.h"
+#include "places/part.h"
 #include "places/sets.h"
 #include "plan/checked_request.h"
 #include "plan/radius_field.h"
@@ -133,6 +134,7 @@ Resolved resolve(const Request& given) {
                       .border = places.border,
                       .borders = places.borders,
                       .masks = places.masks};
+    resolved.masks = places::cut_masks(request.domain, request.places);
     if (places.outlines.empty()) return resolved;
     const Classes& classes = request.classes;
     if (places.mask != nullptr || !places.masks.empty())

@@ -9,6 +9,7 @@
 #include "base/polling.h"
 #include "checks/classes.h"
 #include "checks/numbers.h"
+#include "places/part.h"
 
 namespace lacuna {
 
@@ -184,9 +185,15 @@ void check(const Claim& claim) {
 }
 
 std::shared_ptr<const Claim> settled(const Claim& given) {
+    struct Owner {
+        Claim claim;
+        std::shared_ptr<const std::vector<Mask>> masks;
+    };
     const bool has_edge = given.places.edge || given.places.outlines.empty();
-    if (has_edge && !given.places.border_by_radius) return nullptr;
-    const auto claim = std::make_shared<Claim>(given);
+    if (has_edge && !given.places.border_by_radius && !has_extents(given.places)) return nullptr;
+    const auto owner = std::make_shared<Owner>(Owner{given, nullptr});
+    const std::shared_ptr<Claim> claim(owner, &owner->claim);
+    owner->masks = cut_masks(given.domain, claim->places);
     if (given.places.border_by_radius)
         take_border_by_radius(given.radius > 0 ? std::optional(given.radius) : std::nullopt,
                               given.domain, given.classes, claim->places);

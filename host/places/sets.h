@@ -56,7 +56,7 @@ double edge_of_radius(double least_radius);
 void check(const Claim& claim);
 
 // A claim that was checked, with numbers in place of Places::border_by_radius and of an edge that
-// is not given. Null if nothing had to be filled in.
+// is not given, and masks that are cut to its domain. Null if nothing had to be filled in.
 std::shared_ptr<const Claim> settled(const Claim& claim);
 
 }  // namespace lacuna::places

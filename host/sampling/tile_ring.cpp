@@ -26,15 +26,9 @@ constexpr double kLeastWidth = 1.5;  // of a frame, in greatest distances
 // than asked for.
 constexpr double kRounding = 0x1p-23;
 
-// The greatest distance of two classes, as a share of the least one.
-double greatest_share(const Request& request) {
-    const std::vector<double> shares = distances_of(request.classes);
-    return *std::max_element(shares.begin(), shares.end());
-}
-
 // The greatest distance that two points keep.
 double greatest_distance(const Request& request) {
-    const double share = greatest_share(request);
+    const double share = greatest_share(request.classes);
     if (request.field == nullptr) return share * *request.radius;
     const Field& field = *request.field;
     double greatest = 0;
@@ -92,7 +86,7 @@ TileRing tile_ring(const Request& request, double width, Observer& observer) {
     check_width(checked, width);
     const Result first = sample(request, observer);
     const Domain& domain = request.domain;
-    const double most = width + kRounding * greatest_share(checked) * domain.longer_side();
+    const double most = width + kRounding * greatest_share(checked->classes) * domain.longer_side();
     TileRing frame;
     for (std::size_t i = 0; i < first.points.size(); ++i) {
         const Point way = domain.from_corner(first.points[i]);

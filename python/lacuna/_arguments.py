@@ -133,6 +133,13 @@ def raster_in(name: str, value: object) -> tuple[int, int]:
     return whole(name, value[0], 0, 2**32 - 1), whole(name, value[1], 0, 2**32 - 1)
 
 
+def chunk_in(value: object) -> tuple[int, int]:
+    """I and J of a chunk."""
+    if not isinstance(value, (tuple, list)) or len(value) != 2:
+        raise TypeError(f"chunk must be (I, J), not {shown(value)}")
+    return whole("chunk", value[0], -(2**63), 2**63 - 1), whole("chunk", value[1], -(2**63), 2**63 - 1)
+
+
 def corner_and_sides(domain: Extent) -> tuple[float, float, float, float]:
     """x0, y0, width and height."""
     if len(domain) == 2:
@@ -168,6 +175,7 @@ _READERS: dict[str, Callable[[str, Any], object]] = {"real": real, "whole": _who
 _KINDS: dict[str, Callable[[str, Any], object]] = {
     **{name: _READERS[kind] for name, kind in _core.kinds_of_options().items()},
     "backend": text,
+    "chunk": lambda name, value: "{},{}".format(*chunk_in(value)),
     "device": _device,
     "domain": domain_in,
     **dict.fromkeys(("dot_size", "pens", "paper_size", "margin", "plot_time"), text),
@@ -182,7 +190,7 @@ _KINDS: dict[str, Callable[[str, Any], object]] = {
 }
 # Arguments that may be None, which means that they are not given.
 _OPTIONAL = set(
-    "radius n on_pixels scale metric mode domain edge limit relax gaussian_distance "
+    "radius n chunk chunk_size on_pixels scale metric mode domain edge limit relax gaussian_distance "
     "lines_per_radius device memory_limit black_ink ink_counts tolerance "
     "dot_size pens paper_size margin pen_path plot_time seconds_per_dot "
     "seconds_per_metre_down seconds_per_metre_up seconds_per_corner".split()

@@ -11,7 +11,7 @@ from typing import SupportsFloat, TypedDict, Unpack, overload
 
 from . import _core
 from ._arguments import MOST_64, importance_of, options, points_array, raster_in, real
-from ._arguments import shown, watched, whole
+from ._arguments import chunk_in, shown, watched, whole
 from ._classes import borders_of, classes_of, classes_of_points, masks_of
 from ._errors import BadRequest, MemoryRefused
 from ._polygons import places_of
@@ -54,6 +54,8 @@ def sample(
     priority: bool = False,
     keep_classes: Iterable[object] | None = None,
     domain: Domain | None = None,
+    chunk: tuple[Whole, Whole] | None = None,
+    chunk_size: SupportsFloat | None = None,
     on_pixels: tuple[Whole, Whole] | None = None,
     torus: bool = False,
     mode: Mode | None = None,
@@ -156,6 +158,12 @@ def sample(
         such as a part of a map. By default the shape of the field or else of the mask, with a
         longer side of 1; else ``domain_around`` the polygons and obstacles; without all of these
         (1, 1). A corner is at most 2^20 times the longer side from 0.
+    chunk, chunk_size : tuple of int and float, optional
+        (I, J): the square from (I * chunk_size, J * chunk_size) on, in place of ``domain``. Each
+        chunk is the same in whatever order chunks are made, and all of them are one maximal set:
+        a chunk keeps the points of some of the chunks beside it, which are made for it. The size
+        is over the greatest distance of two points. Polygons lie in the plane. Not with a field,
+        ellipses, a mask, a border, ``n``, ``limit``, ``progressive``, ``keep`` or ``torus``.
     on_pixels : tuple of int, optional
         (columns, rows): the domain is cut into these pixels (and is (columns, rows), unless it is
         given). ``n`` points lie in the centres of pixels, at most one on each, as even as can be
@@ -281,11 +289,13 @@ def sample(
     places = places_of(inside, outside, avoid, near)
     if domain is None and on_pixels is not None:
         domain = raster_in("on_pixels", on_pixels)
+    if chunk is not None and domain is not None:
+        raise BadRequest("chunk", "with domain", "is a domain by itself")
     if domain is None:
-        domain = _core.domain_around(places, first_mask, importance)
+        domain = (1, 1) if chunk else _core.domain_around(places, first_mask, importance)
     asked = options(
-        radius=radius, n=n, scale=scale, metric=metric, domain=domain, on_pixels=on_pixels,
-        torus=torus, mode=mode,
+        radius=radius, n=n, scale=scale, metric=metric, domain=domain, chunk=chunk,
+        chunk_size=chunk_size, on_pixels=on_pixels, torus=torus, mode=mode,
         edge=edge, seed=seed, progressive=progressive, limit=limit, relax=relax,
         gaussian=gaussian, gaussian_distance=gaussian_distance, lines_per_radius=lines_per_radius,
         snap=snap, uniform_x=uniform_x, round_size=round_size, backend=backend, device=device,
@@ -301,10 +311,18 @@ def sample(
     of_kept = classes_of_points("keep_classes", keep_classes, own, kinds, kept)
     with watched(progress) as told:
         made = _core.sample(asked, importance, places, kept, of_kept, told)
+    if chunk is not None:
+        i, j = chunk_in(chunk)
+        side = asked["chunk_size"]
+        made["domain"] = (i * side, j * side, (i + 1) * side, (j + 1) * side)
     # The command names the files of these.
     where = masks or places or None
     files = {"keep": keep, "field": field, "ellipses": ellipses, "mask": where}
     said: dict[str, Any] = {name: "an array" for name, one in files.items() if one is not None}
+    if chunk is not None:
+        kept = points_array("keep", [])
+        said |= {name: asked[name] for name in ("chunk", "chunk_size")}
+        said["keep"] = "the points of the chunks beside it"
     if made["_promised"]["inside_by_radius"]:
         said["inside_by_radius"] = True
     if kept is not None:

@@ -22,6 +22,7 @@
 #include "arrays.h"
 #include "checks/classes.h"
 #include "options.h"
+#include "options/chunk.h"
 #include "options/settle.h"
 #include "outlines.h"
 #include "parts.h"
@@ -196,6 +197,9 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const nb::list
     const options::Moves moves = moves_of(given);
     settle(given, moves, request);
     const Outlines outlines(places);
+    options::ChunkOptions chunk_options;
+    read(given, options::targets_of(chunk_options));
+    std::optional<Chunk> chunk;
     Watch watch(std::move(progress));
     options::Made set;
     std::vector<Ellipse> ellipses;
@@ -208,6 +212,8 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const nb::list
         request.keep = kept;
         request.keep_classes = of_kept;
         request.places.outlines = outlines.copy();
+        chunk = options::chunk_of(chunk_options, request);
+        if (chunk) request = chunk->request;
         set = options::make(request, moves, watch);
         if (field != nullptr && !field->stretches.empty())
             ellipses = ellipses_of(set.result.points, *field, set.result.scale, request.domain);

@@ -10,10 +10,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <random>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "judge/judge.h"
@@ -238,6 +240,116 @@ TEST(ChunksOfClasses, RefuseDistancesFarBeyondTheDomain) {
     const Mask fine{65536, 1, std::vector<std::uint8_t>(65536, 1)};
     EXPECT_EQ(refusal(1e4, &fine), "accepted");
     EXPECT_EQ(refusal(1e5, &fine), "keep a point 1e+05" + begin + "may be at most 16384" + end);
+}
+
+// 6 x 6 chunks of a plane, some left of 0 and below, in three orders: each is the same, and those
+// in the middle are one set beside the others.
+void expect_same_in_any_order(const Request& request, double size, double tolerance) {
+    std::vector<std::pair<std::int64_t, std::int64_t>> order;
+    for (std::int64_t j = -3; j < 3; ++j)
+        for (std::int64_t i = -3; i < 3; ++i) order.emplace_back(i, j);
+    std::vector<MadeChunks> results;
+    Observer nobody;
+    for (const int which : {0, 1, 2}) {
+        if (which == 1) std::reverse(order.begin(), order.end());
+        Random random(5);
+        if (which == 2) std::shuffle(order.begin(), order.end(), random);
+        MadeChunks made, all;
+        for (const auto& [i, j] : order) {
+            if (which == 2) made.clear();
+            const Chunk one = chunk(request, i, j, size, made, nobody);
+            const Result set = sample(one.request);
+            if (which == 0) EXPECT_TRUE(proof_of(one.request, set).maximal) << i << "," << j;
+            all[{i, j}] = {set.points, set.classes};
+        }
+        results.push_back(std::move(all));
+    }
+    Joined inner, ring;
+    for (const auto& [at, chunk] : results[0]) {
+        for (const std::size_t other : {1, 2}) {
+            EXPECT_EQ(chunk.points, results[other][at].points) << at.first << "," << at.second;
+            EXPECT_EQ(chunk.classes, results[other][at].classes);
+        }
+        for (const Point& point : chunk.points)
+            EXPECT_TRUE(std::floor(point.x / size) == static_cast<double>(at.first) &&
+                        std::floor(point.y / size) == static_cast<double>(at.second));
+        const bool is_inner = std::max(std::abs(2 * at.first + 1), std::abs(2 * at.second + 1)) < 4;
+        (is_inner ? inner : ring).add({.points = chunk.points, .classes = chunk.classes});
+    }
+    // Those on the rim keep points of others, which are not among these.
+    Request whole =
+        chunk_of(request, {4 * size, 4 * size, Boundary::box, -2 * size, -2 * size}, ring);
+    for (Outline& outline : whole.places.outlines) outline.polygons.page.reset();
+    const Result all{.points = inner.points,
+                     .classes = inner.classes,
+                     .radius = request.radius.value_or(0),
+                     .edge = request.places.edge.value_or(0),
+                     .maximal = true};
+    Claim claim = claim_of(whole, all);
+    claim.tolerance = tolerance;
+    EXPECT_TRUE(prove(inner.points, claim).maximal);
+    if (!request.places.outlines.empty() || request.places.mask != nullptr) return;
+    const judge::Judge judge(whole, inner.points, inner.classes, request.radius.value_or(0.024));
+    EXPECT_EQ(judge.fault(), "");
+    Random random(6);
+    EXPECT_LE(judge.largest_gap(random).room, tolerance);
+}
+
+TEST(ChunksOfAPlane, AreTheSameInAnyOrderAndOneMaximalSet) {
+    const double of_one = 2 * 0x1p-27 * 4;
+    expect_same_in_any_order(uniform(0.06), 0.3, of_one);  // 0.3 has no exact multiples
+    expect_same_in_any_order(uniform(0.4), 0.5, of_one);
+    expect_same_in_any_order(chunk_of_classes(), 0.2, of_one * 5);
+    Request by_priority = chunk_of_classes();
+    by_priority.classes.by_priority = true;
+    const Chunk one = chunk(by_priority, 1, 1, 0.5);
+    EXPECT_TRUE(proof_of(one.request, sample(one.request)).maximal);
+}
+
+TEST(ChunksOfAPlane, HaveOneMaskAndThePolygonsOfThePlane) {
+    Request request = uniform(0.05);
+    Mask map{8, 8, std::vector<std::uint8_t>(64, 1)};
+    for (const std::size_t lake : {27, 28, 35, 9}) map.allowed[lake] = 0;
+    map.extent = Domain{2, 2, Boundary::box, -1, -1};
+    request.places.mask = &map;
+    Request part = request;
+    part.domain = {0.5, 0.5, Boundary::box, -0.25, 0};
+    for (const Point& at : sample(part).points)
+        EXPECT_FALSE(at.x < 0 && at.y < 0.25) << "in the lake of pixel 27, " << at.x << " " << at.y;
+    part.domain.x0 = 0.1;
+    EXPECT_EQ(tests::refusal_of([&] { sample(part); }),
+              "mask of 8 pixels from -1 to 1: the domain, from 0.1 to 0.6, must begin and end at "
+              "borders of pixels");
+    request.domain = {2, 2, Boundary::box, -1, -1};
+    expect_same_in_any_order(request, 0.25, 2 * 0x1p-27 * 4);
+    Request ponds = uniform(0.05);
+    Outline pond;
+    pond.role = Role::outside;
+    pond.polygons.rings = {{{-0.6, -0.5}, {0.7, 0.1}, {0.2, 0.6}}};
+    pond.polygons.page = Domain{5, 5};
+    ponds.places.outlines = {pond};
+    ponds.places.edge = 0.003;
+    expect_same_in_any_order(ponds, 0.25, 2 * 0x1p-27 * 4);
+}
+
+TEST(ChunksOfAPlane, RefuseWhatLeavesGapsWhereTheyMeet) {
+    const auto refusal = [](double size, const auto& change) {
+        Request request = uniform(0.1);
+        change(request);
+        return tests::refusal_of([&] { chunk(request, 1, 0, size); });
+    };
+    EXPECT_EQ(refusal(0.1, [](Request&) {}),
+              "chunk-size 0.1: must be a finite number over 0.1, the greatest distance of two "
+              "points");
+    const Mask mask{1, 1, {1}};
+    const auto with = [](const std::string& text) { return text.substr(0, text.find(':')); };
+    EXPECT_EQ(with(refusal(1, [&](Request& r) { r.places.mask = &mask; })), "chunk with a mask");
+    EXPECT_EQ(with(refusal(1, [](Request& r) { r.places.border = 0.1; })), "chunk with a border");
+    EXPECT_EQ(with(refusal(1, [](Request& r) { r.limit = 3; })), "chunk with a limit");
+    EXPECT_EQ(with(refusal(1, [](Request& r) { r.domain.boundary = Boundary::torus; })),
+              "chunk on a torus");
+    EXPECT_EQ(tests::refusal_of([&] { chunk(uniform(0.1), 1 << 21, 0, 1); }),
+              "chunk 2097152,0: must be two whole numbers of at most 1048576");
 }
 
 }  // namespace chunks_test

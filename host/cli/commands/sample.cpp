@@ -54,6 +54,7 @@ Examples:
   lacuna sample --keep trees.csv --radius 0.02 -o more.csv   fills the space around given points
   lacuna sample --class trees:0.03 --class grass:0.006 -o wood.csv   kinds of points
   lacuna sample --class trees:0.03 --class grass:0.006 --priority -o wood.csv   trees before grass
+  lacuna sample --chunk 3,-2 --chunk-size 1 --radius 0.02 -o chunk.csv   a part of an endless plane
   lacuna sample --on bunny.ply --radius 0.01 -o points.ply   on the surface of a mesh, with normals
   lacuna sample --domain 1x1x1 --torus --radius 0.02 -o volume.npy   in a volume
   lacuna sample --count 256 --torus --seeds 0..999 -o 'tiles/{seed}.npy'   a thousand small tiles
@@ -147,6 +148,7 @@ Targets targets_of(SampleCommand& all) {
                     {"mode", &all.given.mode},
                     {"relax", &all.given.relax},
                     {"ellipse-columns", &all.ellipse_columns}};
+    targets.merge(options::targets_of(all.domain.chunk));
     // merge() keeps the first target of a name: --border is read as texts, which may be NAME:D, and
     // --domain may have three sides.
     targets.merge(options::targets_of(all.space));

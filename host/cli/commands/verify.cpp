@@ -109,6 +109,10 @@ Request request_of(const CommandLine& line, const VerifyCommand& options, const 
     claim.own_field = use_values(line, file.origin, request, claim.options);
     if (!line.has("domain") && file.domain) take_shape(*file.domain, request);
     if (file.boundary == Boundary::torus) request.domain.boundary = Boundary::torus;
+    if (given.files.extent) {
+        claim.own_field = std::make_shared<const Field>(field_in(request.domain, given.files));
+        request.field = claim.own_field.get();
+    }
     if (request.field != nullptr && !request.scale && request.classes.names.empty())
         throw BadRequest("scale", "missing",
                          "give the radius that points should have where the field is black");
@@ -167,7 +171,11 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, ForAllS
     }
     claim.places.edge = claim.options.edge;
     claim.places.border_by_radius = claim.options.inside_by_radius;
-    if (const auto settled = places::settled(claim)) static_cast<Claim&>(claim) = *settled;
+    if (const auto settled = places::settled(claim)) {
+        claim.places.edge = settled->places.edge;
+        claim.places.border = settled->places.border;
+        claim.places.borders = settled->places.borders;
+    }
     request.places.border = claim.places.border;
     request.places.borders = claim.places.borders;
     given.files.edge = claim.places.edge.value_or(0);

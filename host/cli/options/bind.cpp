@@ -106,12 +106,16 @@ std::vector<GivenFile> files_read(const CommandLine& line) {
         const Option& option = *options::find_option(line.command, name_in_table);
         const std::string name = (option.is_argument() ? "" : "--") + std::string(name_in_table);
         for (const std::string& value : values) {
-            if (option.kind == Kind::read_file) files.push_back({name, value});
+            if (option.kind == Kind::read_file)
+                files.push_back(
+                    {name, name_in_table == "field" ? placed_picture(value).path : value});
             if (option.kind == Kind::obstacles)
                 files.push_back({name, domains::file_and_layer(path_of_obstacles(value)).file});
             if (option.kind == Kind::places)
                 files.push_back(
-                    {name, domains::file_and_layer(class_and_path(value, classes).second).file});
+                    {name, placed_picture(
+                               domains::file_and_layer(class_and_path(value, classes).second).file)
+                               .path});
             if (option.kind == Kind::word_or_file && !options::is_among(value, option.traits.words))
                 files.push_back({name, value});
         }

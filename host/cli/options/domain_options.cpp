@@ -22,6 +22,7 @@
 #include "files/read_points.h"
 #include "files/read_whole.h"
 #include "pictures/importance.h"
+#include "places/part.h"
 #include "plan/checked_request.h"
 #include "plan/kept.h"
 
@@ -46,7 +47,9 @@ const Mask* read_masks(const DomainOptions& options, Request& request, DomainFil
             throw BadRequest(
                 "mask", shown(text),
                 own.empty() ? "a second mask for all points" : "a second mask of class " + own);
-        read->second = read_mask(path);
+        const PlacedPicture picture = placed_picture(path);
+        Mask& mask = read->second = read_mask(picture.path);
+        mask.extent = extent_of("mask", picture, {mask.columns, mask.rows});
         if (first == nullptr) first = &read->second;
         if (own.empty()) request.places.mask = &read->second;
     }
@@ -67,6 +70,15 @@ void read_all_outlines(const DomainOptions& options, Request& request) {
                 request.places.outlines.push_back(std::move(one));
             }
         }
+}
+
+void read_picture_of_field(const DomainOptions& options, DomainFiles& files) {
+    if (options.field.path.empty()) return;
+    const PlacedPicture placed = placed_picture(options.field.path);
+    Picture picture = options.field;
+    picture.path = placed.path;
+    files.field = read_field(picture);
+    files.extent = extent_of("field", placed, {files.field->columns, files.field->rows});
 }
 
 }  // namespace
@@ -100,7 +112,7 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
     const std::vector<std::string>& classes = names_of_classes(options, request);
     refuse_class_of_file("field", options.field.path, classes, "a class has no field of its own");
     refuse_class_of_file("keep", options.keep, classes, "its column class has each point's class");
-    if (!options.field.path.empty()) files.field = read_field(options.field);
+    read_picture_of_field(options, files);
     if (options.ellipses.are_given()) {
         files.field = read_ellipses(options.ellipses);
         if (!request.scale && !request.count) request.scale = 1;
@@ -110,8 +122,10 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
     const Mask* const mask = read_masks(options, request, files);
     const bool is_same_everywhere = !options.ellipses.same.empty();
     if (!line.has("domain") && !request.on_pixels)
-        take_shape(domain_around(mask != nullptr ? Places{.mask = mask} : request.places,
-                                 is_same_everywhere ? nullptr : request.field),
+        take_shape(files.extent
+                       ? *files.extent
+                       : domain_around(mask != nullptr ? Places{.mask = mask} : request.places,
+                                       is_same_everywhere ? nullptr : request.field),
                    request);
     take_size_of_classes(request);
     if (options.keep.empty()) return;
@@ -130,13 +144,29 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
 void read_domain_files(const CommandLine& line, const DomainOptions& options, Request& request,
                        DomainFiles& files) {
     read_given_files(line, options, request, files);
+    if (files.extent) files.field = field_in(request.domain, files);
     request.places.edge = options.edge;
     request.places.border_by_radius = options.inside_by_radius;
     options::take_borders(options.borders, request);
+    files.chunk = options::chunk_of(options.chunk, request);
+    if (files.chunk && line.has("domain"))
+        throw BadRequest("chunk", options.chunk.at + " with --domain", "is a domain by itself");
+    if (files.chunk) request = files.chunk->request;
     Resolved resolved = resolve(request);
     request = std::move(resolved.request);
     files.masks = resolved.masks;
     files.edge = resolved.edge;
+}
+
+Field field_in(const Domain& domain, const DomainFiles& files) {
+    Field field = *files.field;
+    const Raster picture{field.columns, field.rows};
+    const places::Part part = places::part_of(picture, *files.extent, domain, "field");
+    field.columns = part.columns;
+    field.rows = part.rows;
+    field.importance = places::cut(field.importance, picture, part);
+    if (!field.stretches.empty()) field.stretches = places::cut(field.stretches, picture, part);
+    return field;
 }
 
 void take_masks(const std::vector<std::string>& names, const DomainFiles& files, Request& request) {
@@ -212,9 +242,11 @@ Json json_of(const DomainOptions& options, const Request& request, const DomainF
     if (!request.places.borders.empty()) json["borders"] = request.places.borders;
     if (request.places.border != 0) json["border"] = request.places.border;
     if (options.inside_by_radius) json["inside_by_radius"] = true;
-    if (options.keep.empty()) return json;
+    if (files.chunk) json.update({{"chunk", options.chunk.at}, {"chunk_size", options.chunk.size}});
+    if (options.keep.empty() && !files.chunk) return json;
     const SortedKept kept = sorted_kept(request);
-    json.update({{"keep", options.keep}, {"kept", kept.members}});
+    const char* const of_chunk = "the points of the chunks beside it";
+    json.update({{"keep", files.chunk ? of_chunk : options.keep}, {"kept", kept.members}});
     if (kept.has_radius && kept.neighbours() > 0) json["neighbours"] = kept.neighbours();
     return json;
 }

@@ -22,6 +22,7 @@
 #include "cli/reports/output.h"
 #include "files/point_files.h"
 #include "files/read_points.h"
+#include "options/chunk.h"
 #include "options/classes.h"
 #include "stipple/dot_size.h"
 
@@ -86,6 +87,18 @@ void check_ellipse_columns(bool is_given, const std::vector<Output>& outputs);
 std::vector<Outline> read_outlines(Role role, const std::string& text);
 // FILE without the width.
 std::string path_of_obstacles(const std::string& text);
+
+// FILE of the picture of --field or --mask that is FILE@X0,Y0+WxH or FILE@world, and where it lies:
+// in a rectangle of the plane, or as the world file beside it says, such as FILE.pgw.
+struct PlacedPicture {
+    std::string path;
+    std::optional<std::string> place;
+};
+PlacedPicture placed_picture(const std::string& text);
+// The rectangle; unset: the picture is stretched over the domain. Throws BadRequest and FileError.
+std::optional<Domain> extent_of(const std::string& option, const PlacedPicture& picture,
+                                const Raster& pixels);
+
 // The options as given. An empty path means that the option was not given.
 struct DomainOptions {
     Picture field;
@@ -100,6 +113,7 @@ struct DomainOptions {
     std::vector<std::string> known_classes;
     std::vector<std::string> borders;  // D or NAME:D
     bool inside_by_radius = false;
+    options::ChunkOptions chunk;  // of sample alone
 };
 
 // The contents of the files. The request points into it.
@@ -110,6 +124,8 @@ struct DomainFiles {
     std::vector<std::uint8_t> keep_classes;
     std::shared_ptr<const std::vector<Mask>> masks;  // drawn from outlines
     double edge = 0;                                 // how far outlines may be off; 0: none
+    std::optional<Domain> extent;                    // of the field's picture, if it has its own
+    std::optional<Chunk> chunk;                      // whose request this is
 };
 
 Targets targets_of(DomainOptions& options);
@@ -121,6 +137,10 @@ void take_shape(const Domain& shape, Request& request);
 // domain, too. Throws BadRequest and files::FileError.
 void read_given_files(const CommandLine& line, const DomainOptions& options, Request& request,
                       DomainFiles& files);
+
+// The part of the field that lies in the domain, where its picture has an extent. Throws
+// BadRequest.
+Field field_in(const Domain& domain, const DomainFiles& files);
 
 // Gives the request the pictures of --mask that classes of these names have of their own. Throws
 // BadRequest.

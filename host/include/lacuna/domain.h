@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -80,6 +81,10 @@ struct Mask {
     // Instead of `allowed`: what draw_places() of lacuna/places.h has drawn. It takes memory in
     // proportion to the length of the outlines, whatever the number of pixels.
     std::shared_ptr<const DrawnMask> drawn{};
+    // The rectangle in which `allowed` lies, in place of the domain, such as a map's of which a
+    // domain is a part. The domain's edges must lie on borders of its pixels. Beyond it no point
+    // may lie.
+    std::optional<Domain> extent{};
 };
 
 // A closed outline: its last point is joined to its first.

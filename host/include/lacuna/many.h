@@ -12,7 +12,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace LACUNA_API lacuna {
@@ -46,5 +49,30 @@ struct TileRing {
 // and for a box, kept points, a count, a limit, a progressive order and other modes than exact.
 TileRing tile_ring(const Request& request, double width);
 TileRing tile_ring(const Request& request, double width, Observer& observer);
+
+// A request of sample() for a chunk of the plane, and what its Request::keep has: points of the
+// chunks beside it.
+struct Chunk {
+    Request request = Request();
+    std::shared_ptr<const TileRing> beside{};
+};
+
+// Points of chunks, by their I and J.
+using MadeChunks = std::map<std::pair<std::int64_t, std::int64_t>, TileRing>;
+
+// The chunk [I size, (I + 1) size) x [J size, (J + 1) size) of a plane that is cut into squares.
+// The set of each is the same in whatever order chunks are made, and all of them together are one
+// maximal set, without gaps and conflicts where they meet. For that a chunk keeps points of some of
+// the eight chunks beside it, which are made on the way: up to 16 others, 7 on average. Each has a
+// seed of its own, from Request::seed, I and J. What two chunks need, `made` need not be given
+// twice: it has the points of chunks of the same request and size, and is given those of the chunks
+// that were made.
+// Polygons lie in the plane, whatever their page. Masks must have an extent. Throws what sample()
+// throws; BadRequest, too, for I and J over 2^20, for a size that is not over the greatest distance
+// of two points, and for a torus, kept points, a border, a field, a count, a limit, a progressive
+// order and other modes than exact.
+Chunk chunk(const Request& request, std::int64_t i, std::int64_t j, double size);
+Chunk chunk(const Request& request, std::int64_t i, std::int64_t j, double size, MadeChunks& made,
+            Observer& observer);
 
 }  // namespace lacuna
