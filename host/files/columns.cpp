@@ -24,6 +24,7 @@ std::vector<Column> columns_of(const PointSet& set) {
         add("b", [&](std::size_t i) { return set.ellipses[i].b; });
         add("angle", [&](std::size_t i) { return set.ellipses[i].angle; });
     }
+    columns.insert(columns.end(), set.more.begin(), set.more.end());
     return columns;
 }
 

@@ -18,11 +18,6 @@
 namespace lacuna::files {
 namespace {
 
-// A text as JSON. File names and names of other programs' classes need not be valid UTF-8.
-std::string quoted(const std::string& text) {
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 // For each level of a progressive order the number of its points, and the radius or scale at which
 // they are maximal.
 void append_levels(std::string& bytes, const Origin& origin) {
@@ -69,13 +64,26 @@ void append_ellipses(std::string& bytes, std::span<const Ellipse> ellipses) {
     bytes += ellipses.empty() ? "],\n" : "]],\n";
 }
 
+void append_more(std::string& bytes, std::span<const Column> columns) {
+    for (const Column& column : columns) {
+        bytes += fmt::format("\"{}\":[", column.name);
+        const char* separator = "";
+        for (const double value : column.values) {
+            bytes += separator;
+            append_json_number(bytes, value);
+            separator = ",\n";
+        }
+        bytes += "],\n";
+    }
+}
+
 void append_layers(std::string& bytes, const PointSet& set) {
     const bool are_inks = set.layers_are == LayersAre::inks;
     bytes += are_inks ? "\"inks\":[" : "\"classes\":[";
     const char* separator = "";
     for (const Layer& layer : set.layers) {
         bytes += fmt::format("{}{{\"name\":{},\"colour\":\"{}\",\"count\":{}}}", separator,
-                             quoted(layer.ink.name), hex_of(layer.ink.colour), layer.dots);
+                             quoted_json(layer.ink.name), hex_of(layer.ink.colour), layer.dots);
         separator = ",";
     }
     bytes += are_inks ? "],\"ink\":[" : "],\"class\":[";
@@ -88,6 +96,11 @@ void append_layers(std::string& bytes, const PointSet& set) {
 }
 
 }  // namespace
+
+// File names and names of other programs' classes need not be valid UTF-8.
+std::string quoted_json(const std::string& text) {
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
 
 void append_json_number(std::string& bytes, double value) {
     ask_after(8);
@@ -102,7 +115,7 @@ void append_origin(std::string& bytes, const Origin& origin) {
         "\"options\":{},\"program\":\"lacuna\",\"version\":\"{}\"",
         name_of(origin.mode.value_or(Mode::exact)), origin.seed, origin.maximal.value_or(false),
         origin.options.empty() ? "{}" : origin.options, origin.version);
-    if (!origin.command.empty()) bytes += ",\"command\":" + quoted(origin.command);
+    if (!origin.command.empty()) bytes += ",\"command\":" + quoted_json(origin.command);
 }
 
 std::string encode_json(const PointSet& set) {
@@ -131,6 +144,7 @@ std::string encode_json(const PointSet& set) {
     if (set.origin != nullptr && !set.origin->levels.empty()) append_levels(bytes, *set.origin);
     if (set.dots != nullptr) append_dots(bytes, *set.dots);
     if (set.writes_ellipses) append_ellipses(bytes, set.ellipses);
+    append_more(bytes, set.more);
     if (!set.layers.empty()) append_layers(bytes, set);
     bytes += "\"points\":[";
     const char* separator = "\n[";

@@ -23,6 +23,7 @@ std::string encode_txt(const PointSet& set);
 std::string encode_csv(const PointSet& set);
 std::string encode_npy(const PointSet& set);
 std::string encode_ply(const PointSet& set);
+std::string encode_geojson(const PointSet& set);
 std::string encode_json(const PointSet& set);
 std::string encode_svg(const PointSet& set);
 std::string encode_pdf(const PointSet& set);
@@ -31,15 +32,17 @@ PointsOfFile decode_txt(std::string_view bytes, const std::string& name);
 PointsOfFile decode_csv(std::string_view bytes, const std::string& name);
 PointsOfFile decode_npy(std::string_view bytes, const std::string& name);
 PointsOfFile decode_ply(std::string_view bytes, const std::string& name);
+PointsOfFile decode_geojson(std::string_view bytes, const std::string& name);
 PointsOfFile decode_json(std::string_view bytes, const std::string& name);
 
 namespace {
 
-constexpr std::array<Format, 8> kFormats{{
+constexpr std::array<Format, 9> kFormats{{
     {".txt", encode_txt, decode_txt, std::nullopt, false},
     {".csv", encode_csv, decode_csv},
     {".npy", encode_npy, decode_npy},
     {".ply", encode_ply, decode_ply},
+    {".geojson", encode_geojson, decode_geojson},
     {".json", encode_json, decode_json},
     {".svg", encode_svg, nullptr, Medium::svg},
     {".pdf", encode_pdf, nullptr, Medium::pdf},

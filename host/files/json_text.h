@@ -11,6 +11,9 @@ namespace lacuna::files {
 // which distinguish 1 from 1.0 see a float, and -0.0 keeps its sign.
 void append_json_number(std::string& bytes, double value);
 
+// A text in quotes. It need not be valid UTF-8.
+std::string quoted_json(const std::string& text);
+
 // Appends the members that say how a set was made, each with a comma before it.
 void append_origin(std::string& bytes, const Origin& origin);
 

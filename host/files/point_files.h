@@ -59,6 +59,12 @@ enum class LayersAre { inks, classes };
 // Such as #009ee3.
 std::string hex_of(const Colour& colour);
 
+// A number for each point, which some formats write after its coordinates.
+struct Column {
+    const char* name;
+    std::vector<double> values;
+};
+
 // A set of points, and what is needed to draw it.
 struct PointSet {
     std::span<const Point> points;
@@ -79,14 +85,11 @@ struct PointSet {
     // The layer of each point. Empty: the points of the layers come one layer after the other.
     std::span<const std::uint8_t> layer_of_point{};
     LayersAre layers_are = LayersAre::inks;
+    std::span<const Column> more{};  // for .csv, .ply, .geojson and .json
 };
 
-// A number for each point, which some formats write after its coordinates.
-struct Column {
-    const char* name;
-    std::vector<double> values;
-};
-// radius, x_mm, y_mm and radius_mm of dots; a, b and angle of ellipses; as far as they are wanted.
+// radius, x_mm, y_mm and radius_mm of dots; a, b and angle of ellipses, as far as they are wanted;
+// and those of PointSet::more.
 std::vector<Column> columns_of(const PointSet& set);
 
 // The layer of each point, for a set that has layers.
@@ -107,6 +110,7 @@ char lower_case(char c);
 //   csv   the same with a header line `x,y`
 //   npy   NumPy 1.0 header, N x 2 float64, little-endian, C order
 //   ply   ASCII, vertex x y z as double, z = 0
+//   geojson  a FeatureCollection of Points, whose properties are the columns
 //   json  {"width":..., "height":..., "radius":..., "boundary":..., the members of Origin,
 //         "count":..., "points":[[x,y],...]}
 //   svg, pdf, png   black dots on white, y upwards; longer side 1024 pixels (png) or 512 points

@@ -210,9 +210,8 @@ constexpr Row kRows[] = {
      "A set for each seed from A to B, both included; each goes to a file of its own: every "
      "--output has {seed} in its name. Instead of --seed"},
     {{"chunk", "I,J", Kind::text, kSample},
-     "The chunk of a plane that is cut into squares, I of them to the right and J up from 0,0, "
-     "such "
-     "as 3,-2: each chunk is the same in whatever order they are made, and all of them are one "
+     "The chunk of a plane that is cut into squares, I of them to the right and J up from 0,0, as "
+     "in 3,-2: each chunk is the same in whatever order they are made, and all of them are one "
      "maximal set"},
     {{"chunk-size", "D", Kind::number, kSample},
      "With --chunk: the side of the squares, longer than any two points must be apart"},
@@ -279,8 +278,11 @@ constexpr Row kRows[] = {
     {{"dpi", "X", Kind::number, kDrawn},
      "Pixels per inch of .png (default 144, or more where dots would be under 4 pixels apart)"},
     {{"ellipse-columns", "", Kind::flag, kSample | kStipple},
-     "Writes the ellipse of each point to .csv .npy .ply .json: its radii a and b, and the angle "
-     "of a in radians"},
+     "Writes the ellipse of each point to .csv .npy .ply .geojson .json: its radii a and b, and "
+     "the angle of a in radians"},
+    {{"columns", "LIST", Kind::text, kSample},
+     "Writes random numbers of each point to .csv .ply .geojson .json, by the seed: angle, in "
+     "degrees, or size, a factor from 0.8 to 1.2, or size:0.5..2, with commas between them"},
     {{"size-by-tone", "A", Kind::number, kStipple},
      "How much of the tone is in the dots' sizes, 0 to 1 (default 0: all are equally large). Areas "
      "are proportional to importance^A, and dots as dense as importance^(1 - A): with few dots "

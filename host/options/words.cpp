@@ -17,7 +17,8 @@ constexpr std::array<Word, 3> kPointModes{"exact", "lines", "stratified"};
 constexpr std::array<Word, 3> kDotModes{"stratified", "cells", "exact"};
 constexpr std::array<Word, 3> kMetrics{"min", "mean", "max"};
 constexpr std::array<Word, 5> kBackends{"auto", "cpu", "opencl", "vulkan", "reference"};
-constexpr std::array<Word, 8> kFormats{"txt", "csv", "npy", "ply", "json", "svg", "pdf", "png"};
+constexpr std::array<Word, 9> kFormats{"txt",  "csv", "npy", "ply", "geojson",
+                                       "json", "svg", "pdf", "png"};
 constexpr std::array<Word, 10> kPapers{"A0", "A1", "A2",     "A3",    "A4",
                                        "A5", "A6", "letter", "legal", "tabloid"};
 constexpr std::array<Word, 2> kBackgrounds{"white", "black"};
@@ -51,9 +52,9 @@ std::span<const Word> words_of(Words list) {
         case Words::formats:
             return formats;
         case Words::report_formats:
-            return formats.subspan(4);
-        case Words::chart_formats:
             return formats.subspan(5);
+        case Words::chart_formats:
+            return formats.subspan(6);
         case Words::backgrounds:
             return kBackgrounds;
         case Words::papers:

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -76,7 +78,7 @@ TEST(Columns, AreWrittenByEachCommandInEachFormatOrRefused) {
                 if (!format.has_columns) {
                     EXPECT_NE(outcome.exit_code, 0);
                     expect_one_error(outcome, outcome.exit_code,
-                                     {columns.loss + " of each", ".csv .npy .ply .json"});
+                                     {columns.loss + " of each", ".csv .npy .ply .geojson .json"});
                     continue;
                 }
                 EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -89,6 +91,28 @@ TEST(Columns, AreWrittenByEachCommandInEachFormatOrRefused) {
                     EXPECT_EQ(rows_of(written), rows_of(read(given)));
                 }
             }
+    }
+}
+
+TEST(Columns, AtRandomFollowFromTheSeed) {
+    const Folder folder;
+    const Words made{"sample", "--class", "a:.1", "--seed", "3", "--columns", "angle,size:2..3"};
+    const auto path = [&](const char* end) { return folder.path(std::string("a.") + end); };
+    expect_success(joined(made, {"--quiet", "-o", path("csv"), "-o", path("geojson"), "-o",
+                                 path("json"), "-o", path("ply")}));
+    const std::string csv = content_of(path("csv"));
+    EXPECT_TRUE(csv.starts_with("x,y,angle,size,class\n"));
+    EXPECT_EQ(run(joined(made, {"--format", "csv"})).out, csv);
+    for (const char* const end : {"csv", "geojson", "ply"})
+        EXPECT_EQ(read(path(end)).other_columns, (Words{"angle", "size"})) << end;
+    const nlohmann::json set = nlohmann::json::parse(content_of(path("json")));
+    const nlohmann::json map = nlohmann::json::parse(content_of(path("geojson")));
+    for (std::size_t i = 0; i < set["points"].size(); ++i) {
+        const double size = set["size"][i], angle = set["angle"][i];
+        EXPECT_TRUE(size >= 2 && size < 3 && angle >= 0 && angle < 360);
+        const auto& properties = map["features"][i]["properties"];
+        EXPECT_NEAR(properties["size"].get<double>(), size, 1e-8);
+        EXPECT_EQ(map["features"][i]["geometry"]["coordinates"], set["points"][i]);
     }
 }
 

@@ -22,7 +22,8 @@ using namespace lacuna::tests;
 
 TEST(AFormat, OfStandardOutputIsWhatFormatSays) {
     const Folder folder;
-    for (const std::string name : {"csv", "npy", "ply", "json", "svg", "pdf", "png", "txt"}) {
+    for (const std::string name :
+         {"csv", "npy", "ply", "geojson", "json", "svg", "pdf", "png", "txt"}) {
         const std::string path = folder.path("a." + name);
         expect_success({"sample", "--radius", "0.1", "-o", path});
         for (const std::string output : {"-", "/dev/stdout", "/dev/fd/1"}) {

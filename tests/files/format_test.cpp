@@ -37,10 +37,9 @@ TEST(Format, GivenAnUnknownExtensionOrNoneThenTheErrorNamesThePathAndTheKnownOne
             ADD_FAILURE() << "accepted: " << path;
         } catch (const BadRequest& error) {
             EXPECT_EQ(error.option(), "output");
-            EXPECT_EQ(
-                error.what(),
-                "output " + path +
-                    ": the extension must be one of .txt .csv .npy .ply .json .svg .pdf .png");
+            EXPECT_EQ(error.what(), "output " + path +
+                                        ": the extension must be one of .txt .csv .npy .ply "
+                                        ".geojson .json .svg .pdf .png");
         }
     }
 }

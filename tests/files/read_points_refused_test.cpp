@@ -180,6 +180,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(Json, ARefusedFile,
                          testing::ValuesIn(std::vector<Refused>{
+                             {"NoFeatures", "a.geojson", "[1]", "FeatureCollection"},
+                             {"NoPoint", "a.geojson", R"({"features":[{"geometry":null}]})",
+                              "feature 0", "two coordinates"},
                              {"Empty", "a.json", "", "JSON"},
                              {"Cut", "a.json", "[[1,2],[3,", "byte 11", "whole"},
                              {"NaN", "a.json", "[[1,NaN]]", "byte 5", "JSON"},

@@ -44,7 +44,7 @@ TEST(APointFile, OfEveryReadableFormatGivesBackWhatWasEncoded) {
 TEST(APointFile, IsReadByItsExtensionAndErrorsNameIt) {
     const tests::Folder folder;
     const Points points = spread_points(10);
-    for (const char* name : {"a.txt", "a.csv", "a.npy", "a.ply", "a.json", "A.TXT"}) {
+    for (const char* name : {"a.txt", "a.csv", "a.npy", "a.ply", "a.geojson", "a.json", "A.TXT"}) {
         const std::string path = folder.path(name);
         write_whole(path, encode({points}, format_of(path)));
         expect_same_bits(read_points(path).points, points);

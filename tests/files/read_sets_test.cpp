@@ -44,7 +44,8 @@ private:
 const Points kThree{{0.25, 0.5}, {0.125, 1e-3}, {0.75, 0.875}};
 
 TEST_F(ReadSets, OfThisProgramsFormatsAreWhatWasWritten) {
-    for (const std::string name : {"a.txt", "a.csv", "a.npy", "a.ply", "a.json", "A.TXT"}) {
+    for (const std::string name :
+         {"a.txt", "a.csv", "a.npy", "a.ply", "a.geojson", "a.json", "A.TXT"}) {
         const auto file = read(name, encode({kThree, {1, 1}, 0.1}, format_of(name)));
         EXPECT_EQ(file.points, kThree) << name;
     }
@@ -99,7 +100,7 @@ TEST_F(ReadSets, OfATextFileThatCouldHoldSeveralAreRefused) {
 
 TEST_F(ReadSets, OfAnUnknownFormatAreRefusedWithAllThatAreKnown) {
     EXPECT_EQ(refusal("a.xyz", ""),
-              " not a point file: the extension must be one of .txt .csv .npy .ply .json");
+              " not a point file: the extension must be one of .txt .csv .npy .ply .geojson .json");
     EXPECT_NE(refusal("a.svg", "").find("a picture"), std::string::npos);
     EXPECT_THROW(read_points(path("missing.csv")), FileError);
 }

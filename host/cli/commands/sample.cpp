@@ -71,6 +71,7 @@ struct SampleCommand {
     std::optional<SeedRange> seeds;
     std::optional<double> frame;
     bool ellipse_columns = false;
+    std::string columns;
 };
 
 bool has_ellipses(const DomainOptions& options) {
@@ -99,7 +100,8 @@ void run(const CommandLine& line, SampleCommand all) {
     check_ellipse_columns(all.ellipse_columns, outputs);
     DomainFiles files;
     read_domain_files(line, all.domain, request, files);
-    const Showing showing{all.ellipse_columns, all.domain.ellipses.are_given()};
+    const Showing showing{all.ellipse_columns, all.domain.ellipses.are_given(),
+                          read_columns(all.columns, outputs)};
     if (all.seeds) {
         sample_seeds(line, options, all.drawing, outputs, *all.seeds,
                      {[&](const Request& one) { return json_of(all.domain, one, files); }, showing,
@@ -147,7 +149,8 @@ Targets targets_of(SampleCommand& all) {
                     {"frame", &all.frame},
                     {"mode", &all.given.mode},
                     {"relax", &all.given.relax},
-                    {"ellipse-columns", &all.ellipse_columns}};
+                    {"ellipse-columns", &all.ellipse_columns},
+                    {"columns", &all.columns}};
     targets.merge(options::targets_of(all.domain.chunk));
     // merge() keeps the first target of a name: --border is read as texts, which may be NAME:D, and
     // --domain may have three sides.

@@ -14,7 +14,9 @@ MadeSet::MadeSet(const Request& request, const Result& result, const files::Orig
       layers_(layers_of(request.classes, result)),
       ellipses_(ellipses_of(request, result)),
       is_sized_by_radii_(showing.is_sized_by_radii),
+      more_(values_of(showing.columns, request.seed, result.points.size())),
       set_{result.points, request.domain, result.radius, &origin} {
+    set_.more = more_;
     set_.on_pixels = request.on_pixels;
     set_.ellipses = ellipses_;
     set_.writes_ellipses = showing.ellipse_columns;

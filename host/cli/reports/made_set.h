@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "cli/reports/random_columns.h"
 #include "files/point_files.h"
 #include "stipple/dot_size.h"
 
@@ -13,6 +14,7 @@ namespace lacuna::cli {
 struct Showing {
     bool ellipse_columns;    // --ellipse-columns
     bool is_sized_by_radii;  // each dot is two thirds of its ellipse; the field is no picture
+    std::vector<RandomColumn> columns;  // of --columns
 };
 
 // Refers to the request, the result and the origin, which must outlive it.
@@ -33,6 +35,7 @@ private:
     std::vector<files::Layer> layers_;
     std::vector<Ellipse> ellipses_;
     bool is_sized_by_radii_;
+    std::vector<files::Column> more_;
     files::PointSet set_;
 };
 

@@ -3,7 +3,8 @@
 // What is promised
 //   - A file appears whole or not at all: an older file of that name stays until the new one is
 //     complete. Devices and pipes are written directly.
-//   - .txt, .csv, .npy, .ply and .json hold every coordinate to the last bit, and the order of the
+//   - .txt, .csv, .npy, .ply, .geojson and .json hold every coordinate to the last bit, and the
+//   order of the
 //     points: reading gives back exactly what was written.
 //   - The same set gives the same bytes on every call. In .png and .pdf they may differ between
 //     versions of cairo, which draws them.
@@ -38,9 +39,9 @@ struct About {
                         // set with this number of points then gives the size of the dots
 };
 
-// Writes points to `path`, in the format of its extension: .txt .csv .npy .ply .json, or as a
-// picture .svg .pdf .png. "-" is standard output, as .txt.
-// Throws BadRequest for another extension, FileError and ClosedPipe.
+// Writes points to `path`, in the format of its extension: .txt .csv .npy .ply .geojson .json, or
+// as a picture .svg .pdf .png. "-" is standard output, as .txt. Throws BadRequest for another
+// extension, FileError and ClosedPipe.
 void write_points(const std::string& path, std::span<const Point> points, const About& about = {});
 
 // The bytes that write_points() writes; `format` is an extension without dot, such as "csv". Throws
@@ -48,7 +49,7 @@ void write_points(const std::string& path, std::span<const Point> points, const 
 std::string encode_points(std::span<const Point> points, std::string_view format,
                           const About& about = {});
 
-// The points of a file: .txt .csv .npy .ply .json. "-" is standard input, as .txt. Throws
+// The points of a file: .txt .csv .npy .ply .geojson .json. "-" is standard input, as .txt. Throws
 // FileError.
 std::vector<Point> read_points(const std::string& path);
 
