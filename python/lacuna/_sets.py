@@ -70,10 +70,9 @@ class HasPoints:
     def save(self, path: str | bytes | os.PathLike[Any]) -> None:
         """Write the points to a file, whose extension names the format, as the command does.
 
-        ``.txt``, ``.csv``, ``.npy``, ``.ply`` and ``.json`` hold every coordinate to the last bit.
-        ``.csv``, ``.npy``, ``.ply`` and ``.json`` hold the class, ink and ellipse of each point,
-        for which ``.txt`` has no place. ``.json`` says how the set was made, so that
-        ``lacuna verify`` can prove it.
+        ``.txt``, ``.csv``, ``.npy``, ``.ply``, ``.geojson`` and ``.json`` hold every coordinate to the
+        last bit. All of these but ``.txt`` hold the class, ink and ellipse of each point, and
+        ``.json`` says how the set was made, so that ``lacuna verify`` can prove it.
         ``.svg``, ``.pdf`` and ``.png`` are pictures of dots on white, with the radii of ``radii``
         if the result has it, and black unless it has inks. The file appears whole or not at all.
 

@@ -88,3 +88,14 @@ def test_one_lake_serves_the_chunks_beside_it_and_within_it():
         # The next chunk keeps the points of this one, which are none.
         assert len(lacuna.sample(3, domain=(74, 10, 138, 74), keep=empty, seed=1)) > 300
     assert not lacuna.draw_mask(lake, 0.5, domain=beside).any()
+
+
+def test_any_chunk_is_proven_beside_what_it_keeps():
+    for place in ((3, -2), (2, -2), (2, -1)):
+        one = lacuna.sample(classes=CLASSES, chunk=place, chunk_size=0.5, priority=True, seed=7)
+        assert lacuna.verify(one)
+        x, y = place
+        assert one.domain == (x / 2, y / 2, (x + 1) / 2, (y + 1) / 2)
+        assert len(lacuna.sample(classes=CLASSES, chunk=place, chunk_size=0.5, seed=7)) > len(one)
+    refused(lacuna.BadRequest, "chunk", lacuna.sample, 0.1, chunk=(1, 2), chunk_size=1, domain=(1, 1))
+    refused(TypeError, "chunk", lacuna.sample, 0.1, chunk=3, chunk_size=1)

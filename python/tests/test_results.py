@@ -71,7 +71,7 @@ def test_a_set_has_the_length_rows_and_indices_of_its_points() -> None:
     assert repr(made).startswith(f"PointSet({len(made)} points, domain=")
 
 
-FORMATS = ["txt", "csv", "npy", "ply", "json", "svg", "pdf", "png"]
+FORMATS = ["txt", "csv", "npy", "ply", "geojson", "json", "svg", "pdf", "png"]
 
 
 @pytest.mark.parametrize("extension", FORMATS)
@@ -83,7 +83,7 @@ def test_a_set_is_saved_as_the_command_writes_it(extension: str, tmp_path: Path)
     expected = tmp_path / f"expected.{extension}"
     options = ["--radius", "0.05", "--domain", "2x1", "--seed", "3", "--quiet"]
     subprocess.run([PROGRAM, "sample", *options, "-o", expected], check=True)
-    if extension in ("txt", "csv", "npy", "ply", "png"):  # the others tell how the set was made
+    if extension in ("txt", "csv", "npy", "ply", "geojson", "png"):  # the others tell how the set was made
         assert written.read_bytes() == expected.read_bytes()
     if extension == "json":
         assert json.loads(written.read_text())["points"] == made.points.tolist()

@@ -85,7 +85,7 @@ def given(name: str, word: str, folder: Path) -> dict[str, Any]:
         made = obstacles(word, folder)
     elif name in ("domain", "on_pixels"):
         made = sides(word)
-    elif name == "ink_counts":
+    elif name in ("ink_counts", "chunk"):
         made = [number(one) for one in word.split(",")]
     elif name == "classes":
         own, *values = word.split(":")
