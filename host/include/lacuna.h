@@ -14,7 +14,8 @@
  * same points. What is not understood is refused, and nothing is made. So are options for which
  * there is nothing here: of files and polygons, ellipses and strokes, several seeds, how a picture
  * is read where importance is given, and what is drawn. Classes of points have --class NAME:R, once
- * for each, and --border NAME:D; --between is sum or union, not a file of distances.
+ * for each, --priority, and --border NAME:D; --between is sum or union, not a file of distances.
+ * --chunk I,J makes a chunk of a plane, in which outlines lie.
  *
  * Calls may be made on several threads at once. A set may be read by several threads, until it is
  * freed. */

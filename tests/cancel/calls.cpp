@@ -209,6 +209,11 @@ void add_others(const Shared& given, std::size_t size, std::vector<Call>& all) {
         request.radius = 0.004 * length;
         tile_ring(request, 0.1);
     });
+    add("chunk", [=](const Given&) {
+        Request request;
+        request.radius = 0.02 * length;
+        chunk(request, 1, 1, 1);
+    });
     add("relax", [](const Given& g) { relax(g.points, &g.field, {.iterations = 2}); });
     add("relax on reference", [](const Given& g) {
         relax(std::span(g.points).first(g.points.size() / 100), nullptr,
