@@ -102,7 +102,10 @@ BODY Gap cut_by_sample(MEMORY const Geometry g, const Gap all, const u32 centre,
                        const u32 windows, const u32 begin, const u32 end) {
     Gap gap = all;
     const u32 reach = reach_on(g, centre, near_by.x);
-    for (u32 window = 0u; window < windows && reach != 0u; ++window) {
+    // All lines of a column agree about the end, so their items stay together.
+    const bool is_at_end = near_by.y < g.radius || g.height - near_by.y <= g.radius;
+    const u32 of_sample = reach == 0u ? 0u : is_at_end ? windows : 1u;
+    for (u32 window = 0u; window < of_sample; ++window) {
         const u32 low = max(window_begin(window, near_by.y, reach, g.height), begin);
         const u32 high = min(window_end(window, near_by.y, reach, g.height), end);
         if (low < high && gap.fits) gap = cut_out(ON gap, low, high);
