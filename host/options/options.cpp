@@ -89,7 +89,8 @@ constexpr Row kRows[] = {
      "What shows through where the picture is transparent: white (default), or black for light "
      "drawings"},
     {{"auto-levels", "", Kind::flag, kPicture},
-     "Chooses --black and --white: half a percent of the pixels lie beyond each"},
+     "Chooses --black and --white: half a percent of the pixels lie beyond each, and paper, which "
+     "is what most of the picture shows at its light end"},
     {{"sharpen", "R[:X]", Kind::text, kPicture},
      "Sharpens edges of about R pixels, X times as much (default 1), by an unsharp mask: shows "
      "more with few dots"},
@@ -169,6 +170,11 @@ constexpr Row kRows[] = {
     {{"mode", "MODE", Kind::word, kStipple, {.words = Words::dot_modes, .alias = "start"}},
      "How dots are placed before they are moved. stratified (default with --relax): every part of "
      "the picture has its share of the dots; cells (default with --relax 0): on a lattice, as in "
+    {{"turn", "DEGREES", Kind::whole, kPicture},
+     "Turns the picture right by 90, 180 or 270 degrees (default 0)"},
+    {{"crop", "X,Y,W,H", Kind::text, kPicture},
+     "Takes a part of the picture, as it was turned: W x H pixels, X from its left edge and Y from "
+     "its top"},
      "the paper; exact: in the plane, with no gap left, and with --metric min. The default is "
      "cells, too, if --scale, --metric, --limit, --lines-per-radius or --round-size is given, "
      "because a stratified set keeps no least distance"},

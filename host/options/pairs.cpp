@@ -27,7 +27,7 @@ struct Pairs {
 };
 
 constexpr std::string_view kReading =
-    "invert black white background auto-levels sharpen along light gamma min-importance";
+    "turn crop invert black white background auto-levels sharpen along light gamma min-importance";
 
 constexpr std::string_view kOutlines = "inside outside avoid near";  // the names of kRoles
 constexpr std::string_view kWhereNoneMayLie =

@@ -215,6 +215,18 @@ void read_background(const std::string& text, Tone& tone) {
         throw BadRequest("background", shown(text), "must be " + listed(Words::backgrounds));
     tone.on_black = text == "black";
 }
+void read_crop(const std::string& text, Tone& tone) {
+    std::array<std::uint32_t, 4> numbers{};
+    const std::vector<std::string> parts = parts_of_list(text);
+    bool are_numbers = parts.size() == numbers.size();
+    for (std::size_t i = 0; are_numbers && i < numbers.size(); ++i)
+        are_numbers = parse_whole_text(parts[i], numbers[i]) == std::errc{};
+    tone.crop = {numbers[0], numbers[1], numbers[2], numbers[3]};
+    if (!are_numbers || tone.crop.columns == 0 || tone.crop.rows == 0)
+        throw BadRequest("crop", shown(text),
+                         "must be LEFT,TOP,WIDTH,HEIGHT in pixels, such as 100,50,640,480");
+}
+
 
 void read_sharpen(const std::string& text, Tone& tone) {
     const std::size_t colon = std::min(text.find(':'), text.size());

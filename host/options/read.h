@@ -36,6 +36,9 @@ void read_raster(const std::string& option, const std::string& text, Raster& ras
 // white or black: Tone::on_black.
 void read_background(const std::string& text, Tone& tone);
 
+// LEFT,TOP,WIDTH,HEIGHT in pixels.
+void read_crop(const std::string& text, Tone& tone);
+
 // R:X, a radius in pixels and how much edges are sharpened; or R alone.
 void read_sharpen(const std::string& text, Tone& tone);
 

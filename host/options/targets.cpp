@@ -105,7 +105,9 @@ Targets targets_of(Tone& tone) {
             {"along", &tone.along},
             {"light", &tone.light},
             {"gamma", &tone.gamma},
-            {"min-importance", &tone.min_importance}};
+            {"min-importance", &tone.min_importance},
+            {"turn", &tone.turn},
+            {"crop", take_by<read_crop>(tone)}};
 }
 
 void check_word(const Option& option, const std::string& text) {

@@ -4,10 +4,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,9 +21,39 @@
 namespace lacuna::pictures {
 namespace {
 
-// The darkest half percent of the pixels becomes black, and the brightest half percent white.
-// A picture in which both levels are equal is not stretched.
-Levels auto_levels_of(const Image& image) {
+double stretched(double brightness, const Levels& levels) {
+    return std::clamp((brightness - levels.black) / (levels.white - levels.black), 0.0, 1.0);
+}
+
+// Finds paper: the most frequent lightness in the lighter half of the levels, if it is near the
+// lightest there is, and over half of the pixels are about as light. It varies about as much to the
+// dark as to the light, so twice as far below its peak as the lightest are above it is its edge,
+// and all that is lighter becomes white. With `invert` paper is what is darkest.
+Levels with_white_paper(const Image& image, bool invert, const Levels& levels) {
+    constexpr std::size_t kBins = 64;
+    constexpr double kWidest = 0.15;  // from the peak to the lightest
+    std::array<std::size_t, kBins> pixels{};
+    for_each_polled(image.luminance.size(), ask, [&](std::size_t i) {
+        const double lightness = stretched(image.luminance[i] / image.white, levels);
+        const double turned = invert ? 1 - lightness : lightness;
+        ++pixels[std::min(static_cast<std::size_t>(turned * kBins), kBins - 1)];
+    });
+    auto* const half = pixels.begin() + kBins / 2;
+    const auto peak = std::max_element(half, pixels.end()) - pixels.begin();
+    const double above = 1 - (static_cast<double>(peak) + 0.5) / kBins;
+    if (above > kWidest) return levels;
+    const double edge = 1 - 3 * std::max(above, 1.0 / kBins);
+    const auto* const first = pixels.begin() + static_cast<std::ptrdiff_t>(edge * kBins) + 1;
+    const auto of_paper = std::accumulate(first, pixels.cend(), std::size_t{0});
+    if (2 * of_paper <= image.luminance.size()) return levels;
+    const double range = levels.white - levels.black;
+    if (invert) return {levels.white - edge * range, levels.white};
+    return {levels.black, levels.black + edge * range};
+}
+
+// The darkest half percent of the pixels becomes black, and the brightest half percent or paper
+// white. A picture in which both levels are equal is not stretched.
+Levels auto_levels_of(const Image& image, bool invert) {
     constexpr std::size_t kOneIn = 200;
     std::vector<double> values = image.luminance;
     const std::size_t beyond = (values.size() - 1) / kOneIn;
@@ -34,7 +66,7 @@ Levels auto_levels_of(const Image& image) {
         return *place / image.white;
     };
     const Levels levels{at(beyond), at(values.size() - 1 - beyond)};
-    return levels.black < levels.white ? levels : Levels{0, 1};
+    return levels.black < levels.white ? with_white_paper(image, invert, levels) : Levels{0, 1};
 }
 
 // x^(1/5) for x in [0.0003, 1], by Newton's method: the same on every machine, unlike std::pow.
@@ -45,10 +77,6 @@ double fifth_root(double x) {
         root = 0.8 * root + 0.2 * x / (square * square);
     }
     return root;
-}
-
-double stretched(double brightness, const Levels& levels) {
-    return std::clamp((brightness - levels.black) / (levels.white - levels.black), 0.0, 1.0);
 }
 
 }  // namespace
@@ -69,6 +97,8 @@ void check(const Importance& options) {
     if (!(options.min_importance >= 0 && options.min_importance <= 1))
         throw BadRequest("min-importance", fmt::format("{}", options.min_importance),
                          "must be 0 to 1");
+    if (options.turn % 90 != 0 || options.turn >= 360)
+        throw BadRequest("turn", fmt::format("{}", options.turn), "must be 0, 90, 180 or 270");
     constexpr std::uint32_t kMostSharpen = 1000;
     constexpr double kMostAmount = 100;
     if (options.sharpen > kMostSharpen)
@@ -84,7 +114,8 @@ void check(const Importance& options) {
 }
 
 Levels levels_of(const Image& image, const Importance& options) {
-    return options.auto_levels ? auto_levels_of(image) : Levels{options.black, options.white};
+    return options.auto_levels ? auto_levels_of(image, options.invert)
+                               : Levels{options.black, options.white};
 }
 
 void to_darkness(Image& image, const Levels& levels, bool invert) {
@@ -156,6 +187,7 @@ void to_darkness_of_light(std::vector<double>& darkness, bool invert) {
 
 Field importance_of(Image image, const Importance& options) {
     check(options);
+    cut(image, options);
     sharpen(image, options);
     to_darkness(image, levels_of(image, options), options.invert);
     std::vector<double>& values = image.luminance;

@@ -22,6 +22,10 @@ inline Backdrop backdrop_of(const Importance& options) {
 // Checks the options. Throws BadRequest if a value is not allowed.
 void check(const Importance& options);
 
+// Turns the picture and cuts it to a part, as the options say. Throws BadRequest if the part is not
+// in it.
+void cut(Image& image, const Importance& options);
+
 // Sharpens the luminance, as the options say.
 void sharpen(Image& image, const Importance& options);
 

@@ -82,7 +82,10 @@ std::vector<Field> separated(Colours colours, std::span<const Ink> inks, const I
     if (options.along != 1)
         throw BadRequest("along", fmt::format("{}", options.along), "is not for inks");
     const std::array channels{&colours.red, &colours.green, &colours.blue};
-    for (Image* channel : channels) sharpen(*channel, options);
+    for (Image* channel : channels) {
+        cut(*channel, options);
+        sharpen(*channel, options);
+    }
     const Levels levels = levels_of(colours, options);
     for (Image* channel : channels) to_darkness(*channel, levels, options.invert);
 

@@ -178,7 +178,7 @@ _KINDS: dict[str, Callable[[str, Any], object]] = {
     "chunk": lambda name, value: "{},{}".format(*chunk_in(value)),
     "device": _device,
     "domain": domain_in,
-    **dict.fromkeys(("dot_size", "pens", "paper_size", "margin", "plot_time"), text),
+    **dict.fromkeys(("crop", "dot_size", "pens", "pen", "paper_size", "margin", "plot_time"), text),
     "ink_counts": _counts,
     "measure": flag,
     "on_pixels": lambda name, value: "{}x{}".format(*raster_in(name, value)),
@@ -192,7 +192,7 @@ _KINDS: dict[str, Callable[[str, Any], object]] = {
 _OPTIONAL = set(
     "radius n chunk chunk_size on_pixels scale metric mode domain edge limit relax gaussian_distance "
     "lines_per_radius device memory_limit black_ink ink_counts tolerance "
-    "dot_size pens paper_size margin pen_path plot_time seconds_per_dot "
+    "crop dot_size pens pen dot_style paper_size margin pen_path plot_time seconds_per_dot "
     "seconds_per_metre_down seconds_per_metre_up seconds_per_corner".split()
 )
 

@@ -41,6 +41,8 @@ def stipple(
     black_ink: SupportsFloat | None = None,
     ink_counts: Sequence[Whole] | None = None,
     paper_colour: str = "white",
+    turn: Whole = 0,
+    crop: str | None = None,
     invert: bool = False,
     black: SupportsFloat = 0.0,
     white: SupportsFloat = 1.0,
@@ -127,12 +129,18 @@ def stipple(
         are lighter than it are opaque, as of gel pens.
     invert : bool
         Bright is dense instead of dark.
+    turn : int
+        Turns the picture right by 90, 180 or 270 degrees.
+    crop : str, optional
+        Takes a part of the picture, as it was turned: 'X,Y,W,H' is W x H pixels, X from its left
+        edge and Y from its top.
     black, white : float
         Luminance up to ``black`` counts as black, and from ``white`` on as white; 0 to 1.
     background : {'white', 'black'}
         What shows through where the picture is transparent: black for light drawings.
     auto_levels : bool
-        Choose ``black`` and ``white`` so that half a percent of the pixels lie beyond each.
+        Choose ``black`` and ``white`` so that half a percent of the pixels lie beyond each, and
+        paper, which is what most of the picture shows at its light end.
     light : bool
         Areas average as light, for prints seen from afar: 8- and 16-bit numbers are decoded as
         sRGB, and others are light already. A grey of 128 of 255 is then covered to 0.78, not 0.50.
@@ -217,7 +225,8 @@ progress
     """
     asked = options(
         n=n, scale=scale, relax=relax, metric=metric, mode=mode, black_ink=black_ink,
-        ink_counts=ink_counts, paper_colour=paper_colour, invert=invert, black=black, white=white,
+        ink_counts=ink_counts, paper_colour=paper_colour, turn=turn, crop=crop,
+        invert=invert, black=black, white=white,
         background=background, auto_levels=auto_levels, light=light, gamma=gamma,
         min_importance=min_importance, sharpen=sharpen, sharpen_amount=sharpen_amount,
         along=along, size_by_tone=size_by_tone, keep_inside=keep_inside, dot_size=dot_size,

@@ -13,7 +13,7 @@ import lacuna
 NAMES = {"count": "n", "start": "mode", "class": "classes"}  # where they are not the option's
 CALLS = {"mask": "threshold_mask"}
 FLAGS = {"gaussian": 150}  # without a value, where that is not True
-TEXTS = "dot_size pens paper_size margin plot_time inks paper_colour backend device".split()
+TEXTS = "crop dot_size pens pen paper_size margin plot_time inks paper_colour backend device".split()
 Array = np.ndarray[Any, Any]
 
 

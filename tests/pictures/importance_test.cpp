@@ -112,6 +112,48 @@ TEST(Importance, OfAnUnderexposedPictureIsStretchedByAutoLevels) {
     EXPECT_EQ(importance({0.25, 0.25}, {.auto_levels = true}), (Values{0.75, 0.75}));
 }
 
+// Ink of 0.1 and 0.5, and paper from 0.86 to 0.94.
+TEST(Importance, OfAScanIsNoneOnItsPaperWithAutoLevels) {
+    Values scan;
+    for (int i = 0; i < 1000; ++i)
+        scan.push_back(i % 10 == 0 ? 0.1 : i % 10 == 1 ? 0.5 : 0.86 + 0.08 * (i % 7) / 6);
+    const Values found = importance(scan, {.auto_levels = true});
+    Values negative = scan;
+    for (double& one : negative) one = 1 - one;
+    const Values light = importance(negative, {.auto_levels = true, .invert = true});
+    for (std::size_t i = 0; i < scan.size(); ++i) {
+        EXPECT_EQ(found[i] == 0, scan[i] > 0.8) << scan[i];
+        EXPECT_NEAR(light[i], found[i], 0.05);
+    }
+    EXPECT_EQ(found[0], 1);
+    EXPECT_NEAR(found[1], 0.4, 0.05);
+    // Of even tones none is paper, nor are light ones that are fewer than half.
+    Values even, few;
+    for (int i = 0; i < 1000; ++i) {
+        even.push_back(i / 999.0);
+        few.push_back(i < 300 ? 0.85 : i / 1110.0);
+    }
+    EXPECT_GT(importance(even, {.auto_levels = true})[900], 0.05);
+    EXPECT_GT(importance(few, {.auto_levels = true})[0], 0.02);
+}
+
+TEST(Importance, IsOfThePictureTurnedAndThenCut) {
+    const Image picture{3, 2, {0, 0.1, 0.2, 0.3, 0.4, 0.5}, 1, "cat.png"};
+    const auto cut_to = [&](std::uint32_t turn, const Part& part) {
+        const Field field = importance_of(picture, {.invert = true, .turn = turn, .crop = part});
+        return std::pair(field.columns, field.importance);
+    };
+    EXPECT_EQ(cut_to(90, {}), std::pair(2U, Values{0.3, 0, 0.4, 0.1, 0.5, 0.2}));
+    EXPECT_EQ(cut_to(180, {}), std::pair(3U, Values{0.5, 0.4, 0.3, 0.2, 0.1, 0}));
+    EXPECT_EQ(cut_to(270, {}), std::pair(2U, Values{0.2, 0.5, 0.1, 0.4, 0, 0.3}));
+    EXPECT_EQ(cut_to(0, {1, 0, 2, 1}), std::pair(2U, Values{0.1, 0.2}));
+    EXPECT_EQ(cut_to(90, {0, 1, 2, 2}), std::pair(2U, Values{0.4, 0.1, 0.5, 0.2}));
+    EXPECT_EQ(refusal_of([&] {
+                  cut_to(90, {0, 0, 3, 1});
+              }),
+              "crop 0,0,3,1: must lie within the 2 x 3 pixels of cat.png");
+}
+
 TEST(Importance, IsOfThePicturesOwnWhite) {
     EXPECT_EQ(importance_of(image_of({0, 2, 8}, 8), {}).importance, (Values{1, 0.75, 0}));
     EXPECT_EQ(importance_of(image_of({0, 2, 8}, 8), {.invert = true}).importance,

@@ -69,7 +69,8 @@ function textOf(control) {
 // The options that the controls give, as [name, text]. See index.html.
 function optionsNow() {
     if (usesPicture()) prepare();
-    const options = kind === "stipple" ? [["IMAGE", picture.commandName]] : [];
+    const { name, commandName, options: changes } = picture ?? {};
+    const options = kind !== "stipple" ? [] : changes ? [["IMAGE", name], ...changes] : [["IMAGE", commandName]];
     for (const control of controls()) {
         const { option, usual, unit = "", flag } = control.dataset;
         if (option === "" || control.disabled || control.closest("[hidden]")) continue;
@@ -138,16 +139,17 @@ async function showCommand(o) {
         [Object.assign(document.createElement("span"), { textContent: word }), " "]).slice(0, -1));
     const note = ["png", "pdf"].includes(format)
         ? "The same dots; this file is drawn by the browser, so its bytes differ." : "The same bytes.";
-    $("command-note").textContent = !usesPicture() || picture.isExact ? note
+    $("command-note").textContent = !usesPicture() || picture.isExact || (kind === "stipple" && picture.options) ? note
         : `${note} ${picture.commandName} is the picture as it was ${picture.changes || "read"} here: save it, under ${kind === "sample" ? "Stipple" : "Picture"}.`;
 }
 
 // --- making of sets
 async function make(o, isFinal) {
     held = "";
-    if (usesPicture() && sent !== picture) {
-        sent = picture;
-        await engine.ask("picture", { columns: picture.columns, rows: picture.rows, rgba: picture.rgba });
+    const pixels = kind === "stipple" && picture.options ? whole : picture; // which the options turn and cut
+    if (usesPicture() && sent !== pixels) {
+        sent = pixels;
+        await engine.ask("picture", { columns: pixels.columns, rows: pixels.rows, rgba: pixels.rgba });
     }
     return engine.ask("make", { form: formOf(isFinal ? o : quick(o)) });
 }

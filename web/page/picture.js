@@ -28,7 +28,7 @@ export async function readPicture(blob, name) {
     const rgba = context.getImageData(0, 0, columns, rows).data;
     const isExact = shrink === 1 && isPlainPng(new Uint8Array(await blob.slice(0, 32).arrayBuffer()), rgba);
     const commandName = isExact ? name : `${stemOf(name)}-as-read.png`;
-    return { name, commandName, columns, rows, rgba: rgba.buffer, canvas, isExact, isSmaller: shrink < 1, changes: "" };
+    return { name, blob, commandName, columns, rows, rgba: rgba.buffer, canvas, isExact, isSmaller: shrink < 1, changes: "" };
 }
 
 // The pixels of a part, in percent cut off each side: the first ones, and the numbers of them.
@@ -60,8 +60,10 @@ export function changed(picture, turns, cut) {
     context.putImageData(new ImageData(new Uint8ClampedArray(to.buffer), columns, rows), 0, 0);
     const rgba = context.getImageData(0, 0, columns, rows).data.buffer; // as a saved PNG has it
     const changes = [turns && "turned", isCropped && "cropped"].filter(Boolean).join(" and ");
+    // What the command does to the same picture, if it reads the same numbers.
+    const options = [turns && ["turn", String(90 * turns)], isCropped && ["crop", `${left},${top},${columns},${rows}`]];
     return { ...picture, commandName: `${stemOf(picture.name)}-${isCropped ? "cropped" : "turned"}.png`,
-        columns, rows, rgba, canvas, changes, isExact: false };
+        columns, rows, rgba, canvas, changes, isExact: false, options: picture.isExact && options.filter(Boolean) };
 }
 
 // Shows a whole picture on a canvas, on which the user drags the part that is wanted.

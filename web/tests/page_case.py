@@ -58,10 +58,10 @@ class PageCase(unittest.TestCase):
         (self.folder / name).write_bytes(content)
         self.browser.after(lambda: self.browser.drop(name, content))
 
-    def assert_the_commands_bytes(self, kind):
-        """Checks that the file saved is the file that the command shown on the page makes."""
+    def assert_the_commands_bytes(self, kind, command=None):
+        """Checks that the file saved is the file that the command shown on the page makes, or this one."""
         name, saved = self.browser.download(kind)
-        command = shlex.split(self.browser.text("command"))
+        command = shlex.split(command or self.browser.text("command"))
         self.assertEqual(command[0], "lacuna")
         self.assertEqual(command[-2:], ["-o", name])
         subprocess.run([LACUNA, *command[1:], "--quiet"], cwd=self.folder, check=True)

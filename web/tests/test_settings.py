@@ -162,13 +162,15 @@ class SettingsTest(PageCase):
         return (5 * x + 3 * y) % 200
 
     def assert_same_dots(self, columns, rows, pixel):
-        """Checks that the page's dots are those of a picture of these pixels, and the saved picture's."""
+        """Checks that the page's dots are its command's, those of a picture of these pixels, and the saved picture's."""
         self.browser.after(lambda: self.browser.set("count", "900"))
+        self.assert_the_commands_bytes("npy")
         name, content = self.browser.saved_by("save-picture")
+        command = re.sub(r"art.png( --(turn|crop) [\d,]+)*", name, self.command())
         expected = png(columns, rows, 1, lambda x, y, c: pixel(x, y))
         for picture in (content, expected):
             (self.folder / name).write_bytes(picture)
-            self.assert_the_commands_bytes("npy")
+            self.assert_the_commands_bytes("npy", command)
 
     def test_a_picture_is_turned_and_four_turns_leave_it(self):
         self.given("art.png", png(60, 40, 1, lambda x, y, c: self.shade(x, y)))
@@ -176,7 +178,7 @@ class SettingsTest(PageCase):
         first = self.command()
         self.clicked("turn-right")
         self.assertIn("40 × 60 pixels, turned", self.browser.text("picture-note"))
-        self.assertIn("art-turned.png is the picture as it was turned here", self.browser.text("command-note"))
+        self.assertIn("stipple art.png --turn 90 ", self.command())
         self.assert_same_dots(40, 60, lambda x, y: self.shade(y, 39 - x))
         self.clicked("turn-right")
         self.assert_same_dots(60, 40, lambda x, y: self.shade(59 - x, 39 - y))
@@ -195,7 +197,7 @@ class SettingsTest(PageCase):
         self.assert_same_dots(42, 28, lambda x, y: self.shade(x + 6, y + 10))
         self.clicked("turn-right")
         self.assert_same_dots(28, 42, lambda x, y: self.shade(y + 6, 37 - x))
-        self.assertIn("turned and cropped here", page.text("command-note"))
+        self.assertIn("stipple art.png --turn 90 --crop 2,6,28,42 ", self.command())
         link = page.run("return location.hash")
         self.clicked("whole")
         self.assertIn("stipple art.png", self.command())

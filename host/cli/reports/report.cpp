@@ -1,6 +1,7 @@
 // Writes the report, and the origin of a set.
 #include "cli/reports/report.h"
 
+#include <fmt/core.h>
 #include <lacuna/version.h>
 
 #include <sys/resource.h>
@@ -141,6 +142,9 @@ Json json_of_importance(const pictures::Importance& importance) {
               {"white", importance.white},
               {"auto_levels", importance.auto_levels},
               {"min_importance", importance.min_importance}};
+    if (importance.turn != 0) json["turn"] = importance.turn;
+    if (const auto& [left, top, columns, rows] = importance.crop; columns != 0)
+        json["crop"] = fmt::format("{},{},{},{}", left, top, columns, rows);
     if (importance.light) json["light"] = true;
     if (importance.on_black) json["background"] = "black";
     if (importance.along != 1) json["along"] = importance.along;

@@ -31,14 +31,25 @@
 
 namespace LACUNA_API lacuna {
 
+// A part of a picture, in pixels from its upper left corner.
+struct Part {
+    std::uint32_t left = 0;
+    std::uint32_t top = 0;
+    std::uint32_t columns = 0;
+    std::uint32_t rows = 0;
+    friend bool operator==(const Part&, const Part&) = default;
+};
+
 // How luminance becomes importance.
 struct Tone {
     // Levels: luminance up to `black` counts as black and from `white` on as white, and the range
     // between is stretched. 0 <= black < white <= 1.
     double black = 0;
     double white = 1;
-    bool auto_levels = false;  // instead of both: clip half a percent of the pixels at each end
-    bool invert = false;       // bright is dense
+    // Instead of both: clip half a percent of the pixels at each end, and paper, which is what over
+    // half of the pixels show at the light end (at the dark end with invert).
+    bool auto_levels = false;
+    bool invert = false;  // bright is dense
     // What shows through where the picture is transparent: black, for light drawings, or white.
     bool on_black = false;
     // Areas average as numbers: a grey of number v, 0 to 1, has importance 1 - v, and paper, inks
@@ -59,6 +70,10 @@ struct Tone {
     // where there are none or all directions, it is a disk (structure tensor; docs/ellipses.md).
     // Angles are right for a domain of the picture's shape.
     double along = 1;
+    // Before all else: the picture is turned right by this many degrees, 0, 90, 180 or 270, and
+    // then cut to this part; Part{}: all of it.
+    std::uint32_t turn = 0;
+    Part crop{};
 };
 
 // A picture that is still encoded: the bytes of a file, and the name of the file in messages.
