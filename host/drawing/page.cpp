@@ -86,8 +86,11 @@ Shown shown(const Stippling& stippling) {
     shown.style.sheet = stippling.paper;
     shown.style.diameters = stippling.diameters;
     shown.style.are_strokes = stippling.are_strokes;
+    shown.style.pen_mm = stippling.pen_mm;
+    shown.style.circles = stippling.circles;
     shown.style.line_width = stippling.line_width;
     shown.style.paper_colour = stippling.paper_colour;
+    shown.style.layer_plots = stippling.layer_plots;
     shown.style.for_a_pen = stippling.is_for_a_pen;
     return shown;
 }

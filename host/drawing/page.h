@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "drawing/pen_dot.h"
 #include "drawing/picture.h"
 
 namespace lacuna::drawing {
@@ -106,6 +107,19 @@ void for_each_pen_stroke(const files::PointSet& set, const Page& page, const Dra
         const double way_x = way * std::cos(angle), way_y = 0.0 - way * std::sin(angle);
         draw(PenStroke{page.x_of(set.points[i]) - way_x / 2, page.y_of(set.points[i]) - way_y / 2,
                        way_x, way_y, 2 * b * page.scale});
+    }
+}
+
+// Calls `draw(x, y, dot, width)` for each dot of a set that a pen of the style draws: its middle on
+// the page, and the pen's way and width there.
+template <class Draw>
+void for_each_pen_dot(const files::PointSet& set, const Style& style, const Page& page,
+                      const Draw& draw) {
+    const double width = style.pen_mm / millimetres_per_unit(set, style) * page.scale;
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        const double diameter = style.diameters.empty() ? dot_diameter(set) : style.diameters[i];
+        draw(page.x_of(set.points[i]), page.y_of(set.points[i]),
+             pen_dot(diameter * page.scale, width, style.circles), width);
     }
 }
 

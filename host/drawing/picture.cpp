@@ -105,6 +105,23 @@ void stroke_pen(cairo_t* context, const files::PointSet& set, const Page& page) 
     check(cairo_status(context));
 }
 
+void stroke_pen_dots(cairo_t* context, const files::PointSet& set, const Style& style,
+                     const Page& page) {
+    cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
+    for_each_pen_dot(set, style, page, [&](double x, double y, const PenDot& dot, double width) {
+        ask_after(64 * (1 + static_cast<std::size_t>(dot.halves)));
+        cairo_set_line_width(context, width);
+        cairo_move_to(context, x + dot.begin(), y);
+        cairo_line_to(context, x + dot.begin(), y);
+        dot.for_each_half([&](double middle, double radius, bool is_above) {
+            cairo_arc_negative(context, x + middle, y, radius, is_above ? 0 : std::numbers::pi,
+                               is_above ? -std::numbers::pi : 0);
+        });
+        cairo_stroke(context);
+    });
+    check(cairo_status(context));
+}
+
 void fill_ovals(cairo_t* context, const files::PointSet& set, const Style& style,
                 const Page& page) {
     std::size_t dots = 0;
@@ -144,6 +161,8 @@ std::string draw_pdf(const files::PointSet& set, const Style& style) {
         draw_layers(context.get(), set, style, page, [&](const auto& part, const Style& its_style) {
             if (style.are_strokes)
                 stroke_pen(context.get(), part, page);
+            else if (style.pen_mm > 0)
+                stroke_pen_dots(context.get(), part, its_style, page);
             else if (part.ellipses.empty())
                 fill_circles(context.get(), part, its_style, page);
             else
@@ -188,6 +207,8 @@ std::string draw_png(const files::PointSet& set, const Style& style) {
     draw_layers(context.get(), set, style, page, [&](const auto& part, const Style& its_style) {
         if (style.are_strokes)
             stroke_pen(context.get(), part, page);
+        else if (style.pen_mm > 0)
+            stroke_pen_dots(context.get(), part, its_style, page);
         else if (part.ellipses.empty())
             stroke_dots(context.get(), part, its_style, page);
         else

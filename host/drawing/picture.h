@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "files/medium.h"
 #include "files/point_files.h"
@@ -32,12 +33,17 @@ struct Style {
     std::span<const double> diameters{};  // of each dot, in the domain's units; empty: all equal
     // Ellipses are strokes of a pen of 2 b, 2 a long with their round ends.
     bool are_strokes = false;
+    // Over 0: the width of the pen that draws dots that are wider, as spirals or circles.
+    double pen_mm = 0;
+    bool circles = false;
     // Over 0: a line through the dots of each layer, in place of dots. It is as wide as the ink's
     // pen or, without one, as this, in the domain's units.
     double line_width = 0;
     // For a plotter's pen. Dots are drawn in their order, not size by size; an svg has no
     // background, because a plotter would take it for a shape.
     bool for_a_pen = false;
+    // What a plotter does for each layer, which an svg of layers says; empty: not known.
+    std::vector<LayerPlot> layer_plots{};
 };
 
 // A set with the style in which it is drawn. It refers to what it was made of.

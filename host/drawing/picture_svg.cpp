@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "base/number_text.h"
 #include "base/polling.h"
 #include "drawing/page.h"
 #include "drawing/xml.h"
@@ -66,6 +67,14 @@ void append_line(std::string& bytes, std::span<const Point> points, double width
                  const Page& page) {
     fmt::format_to(std::back_inserter(bytes),
                    FMT_COMPILE("<path stroke-linejoin=\"round\" stroke-width=\"{:.6g}\" d=\""),
+// What a plotter does for a layer, which programs show as its description.
+std::string plot_text(const files::PointSet& set, std::size_t layer, const Style& style) {
+    if (layer >= std::min(set.layers.size(), style.layer_plots.size())) return "";
+    const auto& [path_length, seconds] = style.layer_plots[layer];
+    return fmt::format("<desc>pen path {:.2f} m, about {}</desc>\n",
+                       path_length * millimetres_per_unit(set, style) / 1000, time_text(seconds));
+}
+
                    width);
     ask_after(16 * points.size());
     char step = 'M';
@@ -111,7 +120,7 @@ std::string draw_svg(const files::PointSet& set, const Style& style) {
         bytes += "\"/>\n";
     };
     for_each_layer(set, style, [&](std::size_t layer, const auto& part, const Style& its_style) {
-        bytes += group_head(set.layers, layer, style.paper_colour);
+        bytes += group_head(set.layers, layer, style.paper_colour) + plot_text(set, layer, style);
         if (style.line_width > 0)
             append_line(bytes, part.points, line_width_of(set, layer, style, page), page);
         else if (style.are_strokes)
@@ -120,6 +129,8 @@ std::string draw_svg(const files::PointSet& set, const Style& style) {
             for_each_stroke(part, its_style, draw_dots);
         else
             append_ovals(bytes, part, its_style, page);
+        else if (style.pen_mm > 0)
+            append_pen_dots(bytes, part, its_style, page);
         bytes += "</g>\n";
     });
     return bytes + "</svg>\n";

@@ -21,5 +21,8 @@ void append_ovals(std::string& bytes, const files::PointSet& set, const Style& s
                   const Page& page);
 // The same for strokes: lines with round ends.
 void append_strokes(std::string& bytes, const files::PointSet& set, const Page& page);
+// The same for dots that a pen draws: lines of arcs.
+void append_pen_dots(std::string& bytes, const files::PointSet& set, const Style& style,
+                     const Page& page);
 
 }  // namespace lacuna::drawing

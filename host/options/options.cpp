@@ -167,9 +167,6 @@ constexpr Row kRows[] = {
     {{"count", "N", Kind::whole, kStipple},
      "Exactly N dots, at a scale that fits; this or --scale (default: a number that suits the "
      "picture's size and darkness, or --dot-size)"},
-    {{"mode", "MODE", Kind::word, kStipple, {.words = Words::dot_modes, .alias = "start"}},
-     "How dots are placed before they are moved. stratified (default with --relax): every part of "
-     "the picture has its share of the dots; cells (default with --relax 0): on a lattice, as in "
     {{"turn", "DEGREES", Kind::whole, kPicture},
      "Turns the picture right by 90, 180 or 270 degrees (default 0)"},
     {{"crop", "X,Y,W,H", Kind::text, kPicture},
@@ -178,6 +175,9 @@ constexpr Row kRows[] = {
      "the paper; exact: in the plane, with no gap left, and with --metric min. The default is "
      "cells, too, if --scale, --metric, --limit, --lines-per-radius or --round-size is given, "
      "because a stratified set keeps no least distance"},
+    {{"mode", "MODE", Kind::word, kStipple, {.words = Words::dot_modes, .alias = "start"}},
+     "How dots are placed before they are moved. stratified (default with --relax): every part of "
+     "the picture has its share of the dots; cells (default with --relax 0): on a lattice, as in "
     {{"lines-per-radius", "M", Kind::whole, kStipple},
      "Lattice steps per least radius (default 10); in exact it changes only the speed (default 1)"},
     {{"inks", "LIST", Kind::text, kStipple},
@@ -271,6 +271,12 @@ constexpr Row kRows[] = {
     {{"dot-size", "D", Kind::text, kRelax},
      "Diameter of dots, such as 0.5mm; or radius (default): dots have as much ink as the picture "
      "is dark, or are two thirds of the least distance wide. In .csv .npy .ply .json it adds "
+    {{"pen", "D", Kind::text, kStipple},
+     "Width of the one pen that draws dots of all sizes, such as 0.3mm: wider ones as spirals that "
+     "leave no gap, or as --dot-style says; none is narrower"},
+    {{"dot-style", "STYLE", Kind::word, kStipple, {.words = Words::dot_styles}},
+     "With --pen: dots that are wider than it are filled spirals (default), or circles whose outer "
+     "edges are the dots', which look lighter"},
      "columns for dots, as --paper-size does"},
     {{"dot-size", "D", Kind::text, kOrder},
      "Diameter of dots, such as 0.5mm; or radius (default): dots have as much ink as the picture "
@@ -303,7 +309,7 @@ constexpr Row kRows[] = {
      "Where the picture is black no gaps are left"},
     {{"pen-path", "", Kind::flag, kStipple},
      "Orders the dots along a short path for a pen, in every format (default with pens: --dot-size "
-     "0.5mm, --pens, or --inks that have pens)"},
+     "0.5mm, --pens, --pen, or --inks that have pens)"},
     {{"no-pen-path", "", Kind::flag, kStipple},
      "Leaves the dots of pens in the order in which they were made"},
     {{"path-line", "", Kind::flag, kStipple},

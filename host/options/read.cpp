@@ -81,7 +81,6 @@ constexpr double kInch = 25.4;          // mm
 constexpr double kPoint = kInch / 72;   // mm
 constexpr double kLongestInches = 200;  // PDF 1.7, annex C.2
 constexpr double kLeastSide = 1;        // mm
-constexpr double kLeastDot = 0.001;     // mm
 
 struct Unit {
     std::string_view name;
@@ -215,6 +214,7 @@ void read_background(const std::string& text, Tone& tone) {
         throw BadRequest("background", shown(text), "must be " + listed(Words::backgrounds));
     tone.on_black = text == "black";
 }
+
 void read_crop(const std::string& text, Tone& tone) {
     std::array<std::uint32_t, 4> numbers{};
     const std::vector<std::string> parts = parts_of_list(text);
@@ -226,7 +226,6 @@ void read_crop(const std::string& text, Tone& tone) {
         throw BadRequest("crop", shown(text),
                          "must be LEFT,TOP,WIDTH,HEIGHT in pixels, such as 100,50,640,480");
 }
-
 
 void read_sharpen(const std::string& text, Tone& tone) {
     const std::size_t colon = std::min(text.find(':'), text.size());

@@ -46,6 +46,9 @@ void read_sharpen(const std::string& text, Tone& tone);
 // ...) for anything else, and if the length is under least_mm or over 200 in, PDF's limit.
 double read_length(const std::string& option, const std::string& text, double least_mm);
 
+// The least diameter of dots, and width of pens, in mm.
+inline constexpr double kLeastDot = 0.001;
+
 // A time in seconds, over 0, from a number with s, min or h behind it. Throws as read_length does.
 double read_time(const std::string& option, const std::string& text);
 

@@ -22,6 +22,7 @@ constexpr std::array<Word, 9> kFormats{"txt",  "csv", "npy", "ply", "geojson",
 constexpr std::array<Word, 10> kPapers{"A0", "A1", "A2",     "A3",    "A4",
                                        "A5", "A6", "letter", "legal", "tabloid"};
 constexpr std::array<Word, 2> kBackgrounds{"white", "black"};
+constexpr std::array<Word, 2> kDotStyles{"spiral", "circle"};
 constexpr std::array<Word, 2> kBetween{"sum", "union"};
 constexpr std::array<Word, 9> kFigures{"table1", "table2", "fig3", "fig4", "fig5",
                                        "fig6",   "fig7",   "fig8", "all"};
@@ -57,6 +58,8 @@ std::span<const Word> words_of(Words list) {
             return formats.subspan(6);
         case Words::backgrounds:
             return kBackgrounds;
+        case Words::dot_styles:
+            return kDotStyles;
         case Words::papers:
             return kPapers;
         case Words::between:

@@ -22,6 +22,7 @@ enum class Words {
     report_formats,  // of analyze
     chart_formats,   // of compare
     backgrounds,     // behind transparent pictures
+    dot_styles,      // in which a pen draws wider dots
     papers,
     between,  // the rules for distances of classes
     figures,  // of the paper

@@ -7,12 +7,9 @@
 
 namespace lacuna::stippling {
 
-// Finds the length of the path, and adds that of strokes to the length in order of admission.
-// `dots` has the stippling's points and their layers.
-void measure_path(Stippling& made, const files::PointSet& dots);
-
-// Finds how long a plotter takes.
-void time_the_plot(Stippling& made, const files::PointSet& dots, const Plotter& plotter,
-                   double mm_per_unit);
+// Finds the lengths of the layers' paths with their strokes, circles and spirals, adds these to the
+// length in order of admission, and finds how long a plotter takes. `dots` has the stippling's
+// points and their layers.
+void plot(Stippling& made, const files::PointSet& dots, const Plotter& plotter, double mm_per_unit);
 
 }  // namespace lacuna::stippling

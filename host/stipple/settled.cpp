@@ -38,6 +38,8 @@ std::vector<options::GivenOption> members_set(StippleOptions options) {
     if (options.pens)
         given.push_back({options.pens->widths_mm.empty() ? "dot-size" : "pens",
                          {shortest(options.pens->least_mm) + "mm"}});
+    if (options.pen_mm) given.push_back({"pen", {shortest(*options.pen_mm) + "mm"}});
+    if (options.circles) given.push_back({"dot-style", {"circle"}});
     if (!options.start_points.empty())
         given.push_back({"start-points", {fmt::format("{} dots", options.start_points.size())}});
     if (options.plot_seconds)
@@ -121,6 +123,20 @@ void check_pens(const StippleOptions& options) {
                       widths[i]);
 }
 
+void check_one_pen(const StippleOptions& options) {
+    if (!options.pen_mm) return;
+    const double pen = *options.pen_mm;
+    if (!(pen > 0) || !std::isfinite(pen))
+        throw BadRequest("pen", shortest(pen) + "mm", "must be a width over 0");
+    for (const Ink& ink : options.inks)
+        if (ink.pen_mm != 0)
+            throw BadRequest("pen", shortest(pen) + "mm",
+                             "is not for --inks with pens of their own");
+    if (options.pens && options.pens->least_mm < pen)
+        throw BadRequest("dot-size", shortest(options.pens->least_mm) + "mm",
+                         "must be at least the pen's " + shortest(pen) + "mm");
+}
+
 void check_plotter(const StippleOptions& options) {
     const auto& [per_dot, per_metre_down, per_metre_up, per_corner] = options.plotter;
     check_at_least_0("seconds-per-dot", per_dot);
@@ -155,6 +171,7 @@ Stippling stippling::settled(const StippleOptions& options) {
                          "is not for a --dot-size in mm; give two, such as 0.3mm..0.8mm");
     if (options.paper) drawing::check(*options.paper);
     check_pens(options);
+    check_one_pen(options);
     check_room(options);
     check_plotter(options);
     const options::Choices given{.is_picture = true,
@@ -173,8 +190,11 @@ Stippling stippling::settled(const StippleOptions& options) {
                          fmt::format("must be the number of dots to start with, {}",
                                      options.start_points.size()));
     made.paper_colour = options.paper_colour;
-    made.is_for_a_pen = options.pen_path.value_or(stippling::widest_pen(options) != 0) ||
-                        options.path_line || options.plot_seconds;
+    made.pen_mm = options.pen_mm.value_or(0);
+    made.circles = options.circles;
+    made.is_for_a_pen =
+        options.pen_path.value_or(stippling::widest_pen(options) != 0 || options.pen_mm) ||
+        options.path_line || options.plot_seconds;
     options::settle(given, made.request);
     options::check_moves(made.request, {.iterations = made.iterations});
     return made;

@@ -51,6 +51,7 @@ public:
         request().field = tones.has_inks() ? &tones.sum : &tones.densities().front();
         made.columns = all.columns;
         made.rows = all.rows;
+        made.darkness = stippling::darkness_of(all);
         if (options.paper) {
             style_.sheet = drawing::turned(*options.paper, request().domain);
             style_.sheet->margin_mm += stippling::widest_pen(options) / 2;
@@ -75,10 +76,9 @@ public:
                                          request().domain);
         if (made_.are_strokes) turn_into_strokes();
         const bool has_pen = made_.is_for_a_pen || tones_.has_pens();
-        if (has_pen) stippling::measure_path(made_, dots());
         find_sizes();
         make_room();
-        if (has_pen) stippling::time_the_plot(made_, dots(), options_.plotter, mm_);
+        if (has_pen) stippling::plot(made_, dots(), options_.plotter, mm_);
         made_.layers = std::move(layers_);
         request().field = nullptr;
     }
@@ -128,10 +128,18 @@ private:
         suit_narrow_shapes();
     }
 
+    // The style with the pen of all dots.
+    drawing::Style pen_style() const {
+        drawing::Style style = style_;
+        style.pen_mm = made_.pen_mm;
+        style.circles = made_.circles;
+        return style;
+    }
+
     // As many dots as the time is enough for or, if that is less, as the picture needs.
     void choose_for_time() {
         const std::uint64_t dots = stippling::plotted_count(
-            tones_, request().domain, style_, options_.plotter, *options_.plot_seconds);
+            tones_, request().domain, pen_style(), options_.plotter, *options_.plot_seconds);
         auto needed = static_cast<std::uint64_t>(stippling::kMostDots);
         if (made_.are_strokes) {
             needed = natural_strokes();
@@ -203,6 +211,7 @@ private:
         if (!made_.are_strokes)
             made_.dots_for_ink = stippling::dots_for_ink(tones_, request().domain, style_);
         made_.diameters = stippling::diameters_of(tones_, dots(), style_);
+        for (double& one : made_.diameters) one = std::max(one, made_.pen_mm / mm_);
     }
 
     // Lets no ink lie in the margin. The constructor has made room for pens.
@@ -239,6 +248,7 @@ private:
     // The width at which the line has as much ink as the picture is dark, or that of the pen.
     void find_width() {
         const double area = ink();
+        stippling::plot(made_, dots(), options_.plotter, mm_);
         // An ink with a pen of its own has its width.
         made_.line_width = options_.pens ? pen() : area / std::max(made_.path_length, area);
         if (tones_.has_pens())

@@ -1,7 +1,9 @@
 // The targets of the options of stipple.
 #include "options/targets.h"
 
+#include "base/number_text.h"
 #include "options/read.h"
+#include "options/words.h"
 
 namespace lacuna::options {
 namespace {
@@ -24,6 +26,16 @@ void read_colour(const std::string& text, Colour& colour) {
 
 void read_widths(const std::string& text, std::optional<Pens>& pens) {
     pens = read_pens_there_are("pens", text);
+}
+
+void read_one_pen(const std::string& text, std::optional<double>& pen_mm) {
+    pen_mm = read_length("pen", text, kLeastDot);
+}
+
+void read_style(const std::string& text, bool& circles) {
+    if (!is_among(text, Words::dot_styles))
+        throw BadRequest("dot-style", shown(text), "must be " + listed(Words::dot_styles));
+    circles = text == "circle";
 }
 
 void read_sheet(const std::string& text, std::optional<Paper>& paper) {
@@ -67,6 +79,8 @@ Targets targets_of(StippleOptions& options) {
                     {"ink-counts", take_by<read_counts>(options.ink_counts)},
                     {"dot-size", take_by<read_pens_by_tone>(options.pens)},
                     {"pens", take_by<read_widths>(options.pens)},
+                    {"pen", take_by<read_one_pen>(options.pen_mm)},
+                    {"dot-style", take_by<read_style>(options.circles)},
                     {"size-by-tone", &options.size_by_tone},
                     {"keep-inside", &options.keep_inside},
                     {"pen-path", &options.pen_path},

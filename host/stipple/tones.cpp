@@ -1,6 +1,8 @@
 // Computes ink by ink what dot_size, dot_count and keep_inside compute for one field.
 #include "stipple/tones.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -146,27 +148,57 @@ PathOfOne path_of_one(const Tones& tones, const Domain& domain, const drawing::S
     return {factor * roots, factor * ink};
 }
 
+// How long the pen of a style draws a dot.
+double seconds_of_dot(double diameter_mm, const drawing::Style& style, const Plotter& plotter) {
+    return pen::seconds_around(plotter, drawing::pen_dot(diameter_mm, style.pen_mm, style.circles));
+}
+
+// The mean of that for dots of the tones' pens.
+double seconds_of_mean_dot(const Tones& tones, const drawing::Style& style,
+                           const Plotter& plotter) {
+    double sum = 0, seconds = 0;
+    for (std::size_t k = 0; k < tones.fields.size(); ++k) {
+        const std::vector<double>& density = tones.densities()[k].importance;
+        for_each_polled(density.size(), ask, [&](std::size_t i) {
+            if (density[i] == 0) return;
+            const double width = width_at(*tones.sizing.pens, tones.fields[k].importance[i]);
+            sum += density[i];
+            seconds += density[i] * seconds_of_dot(width, style, plotter);
+        });
+    }
+    return seconds / sum;
+}
+
 std::uint64_t plotted_count(const Tones& tones, const Domain& domain, const drawing::Style& style,
                             const Plotter& plotter, double seconds) {
     constexpr double kLonger = 1.02;  // so that no path is longer than expected
     const double path = kLonger * path_of_one(tones, domain, style).length;
     const double mm = millimetres_per_unit(files::PointSet{{}, domain}, style);
-    const double strokes = tones.sizing.are_strokes
-                               ? ink_of(tones, domain) * mm * mm / tones.sizing.pens->least_mm
-                               : 0;
+    const double ink = ink_of(tones, domain) * mm * mm;
+    const double strokes = tones.sizing.are_strokes ? ink / tones.sizing.pens->least_mm : 0;
+    constexpr double kWider = 1.12;  // as dots of the library's choice are in black
+    const bool has_pen = style.pen_mm != 0, is_given_pen = has_pen && !tones.has_pens();
+    const double mean = has_pen && !is_given_pen ? seconds_of_mean_dot(tones, style, plotter) : 0;
+    const auto drawn = [&](double dots) {
+        if (!is_given_pen) return mean;
+        return seconds_of_dot(kWider * std::sqrt(4 / std::numbers::pi * ink / dots), style,
+                              plotter);
+    };
     const auto seconds_for = [&](double dots) {
         const double way = path / std::sqrt(dots);
         if (tones.sizing.is_line)
             return static_cast<double>(tones.fields.size()) * plotter.seconds_per_dot +
                    dots * pen::usual_seconds_down(plotter, way);
         return dots * (plotter.seconds_per_dot + pen::seconds_up(plotter, way) +
-                       pen::seconds_straight_down(plotter, strokes / dots));
+                       pen::seconds_straight_down(plotter, strokes / dots) + drawn(dots));
     };
     double least = 1, most = kMostDots;
-    if (strokes > 0 && seconds_for(least) > seconds)
-        throw BadRequest("plot-time", time_text(seconds),
-                         "the strokes alone take " + time_text(seconds_for(least)) +
-                             ": give a wider --dot-size");
+    if ((strokes > 0 || is_given_pen) && seconds_for(least) > seconds)
+        throw BadRequest(
+            "plot-time", time_text(seconds),
+            fmt::format("the {} alone take {}: give a wider --{}",
+                        is_given_pen ? "dots" : "strokes", time_text(seconds_for(least)),
+                        is_given_pen ? "pen" : "dot-size"));
     while (most - least > 0.5) {
         const double middle = (least + most) / 2;
         (seconds_for(middle) <= seconds ? least : most) = middle;

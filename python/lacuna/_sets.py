@@ -364,12 +364,18 @@ class Stippling(PointSet):
         asked for by as much as ink reaches over the picture's edges, such as half of a pen's width.
     are_strokes : bool
         Whether pens draw ``.ellipses`` as strokes: 2 a long with their round ends, 2 b wide.
+    pen_mm : float
+        With ``pen``: its width. Otherwise 0.
+    circles : bool
+        Whether that pen draws wider dots as circles, not as spirals.
     line_width : float
         With ``path_line``: the width of the line, in the domain's unit. Otherwise 0.
     path_length : float
         Of the pen's path, in the domain's unit; 0 without pens and path.
     plot_seconds : float
         How long a plotter takes; 0 without pens and path.
+    layer_plots : tuple of pairs of floats
+        The path's length and the time of each ink or pen, or of all dots.
     for_a_pen : bool
         Whether the points come in the order of the pen's path.
     """
@@ -381,14 +387,19 @@ class Stippling(PointSet):
     pens: Mapping[str, float] | None = None
     paper: tuple[float, float, float] | None = None
     are_strokes: bool = False
+    pen_mm: float = 0.0
+    circles: bool = False
     line_width: float = 0.0
     path_length: float = 0.0
     plot_seconds: float = 0.0
+    layer_plots: tuple[tuple[float, float], ...] = ()
     for_a_pen: bool = False
 
     def _saved(self) -> dict[str, Any]:
         self._check()
-        drawn = ("paper_colour", "are_strokes", "line_width", "for_a_pen")
+        drawn = (
+            "paper_colour are_strokes pen_mm circles line_width for_a_pen layer_plots".split()
+        )
         saved = {**super()._saved(), **{name: getattr(self, name) for name in drawn}}
         if self.paper is not None:
             saved["paper"] = self.paper
@@ -414,8 +425,9 @@ class Stippling(PointSet):
         if self.ink is not None and len(self.ink) and int(self.ink.max()) >= len(self.inks or ()):
             most = len(self.inks or ())
             raise BadRequest("ink", f"{self.ink.max()}", f"must be under {most}, the inks")
-        if not 0 <= self.line_width < np.inf:
-            raise BadRequest("line_width", f"{self.line_width}", "must be at least 0")
+        for name, width in (("line_width", self.line_width), ("pen_mm", self.pen_mm)):
+            if not 0 <= width < np.inf:
+                raise BadRequest(name, f"{width}", "must be at least 0")
         if self.paper is None:
             return
         if len(self.paper) != 3:

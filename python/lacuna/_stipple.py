@@ -58,6 +58,8 @@ def stipple(
     keep_inside: bool = False,
     dot_size: str | None = None,
     pens: str | None = None,
+    pen: str | None = None,
+    dot_style: Literal["spiral", "circle"] | None = None,
     paper_size: str | None = None,
     margin: str | None = None,
     pen_path: bool | None = None,
@@ -127,13 +129,13 @@ def stipple(
     paper_colour : str
         A name such as 'black', or '#rrggbb': inks are separated for paper of this colour. Inks that
         are lighter than it are opaque, as of gel pens.
-    invert : bool
-        Bright is dense instead of dark.
     turn : int
         Turns the picture right by 90, 180 or 270 degrees.
     crop : str, optional
         Takes a part of the picture, as it was turned: 'X,Y,W,H' is W x H pixels, X from its left
         edge and Y from its top.
+    invert : bool
+        Bright is dense instead of dark.
     black, white : float
         Luminance up to ``black`` counts as black, and from ``white`` on as white; 0 to 1.
     background : {'white', 'black'}
@@ -167,13 +169,19 @@ def stipple(
     pens : str, optional
         The widths of several pens, such as '0.3mm,0.5mm,0.8mm': each dot is as wide as one of them,
         wider where it is darker, and each pen has a layer of its own.
+    pen : str, optional
+        The width of the one pen that draws dots of all sizes, such as '0.3mm': wider ones as
+        spirals that leave no gap, or as ``dot_style`` says; none is narrower.
+    dot_style : {'spiral', 'circle'}, optional
+        With ``pen``: how it draws wider dots; circles have the dots' outer edges. By default
+        'spiral'.
     paper_size, margin : str, optional
         The sheet, such as 'A5' or '200x150mm', and its margin, such as '10mm', by default 0. The
         picture lies in its middle, as large as the margin allows, and saved pictures show it. No
         ink lies in the margin.
     pen_path : bool, optional
         Order the dots of each ink along a short path of the pen: by default with ``dot_size``,
-        ``pens``, or ``inks`` that have pens.
+        ``pens``, ``pen``, or ``inks`` that have pens.
     path_line : bool
         Draw that path as one line for each ink, in place of dots.
     plot_time : str, optional
@@ -230,7 +238,8 @@ progress
         background=background, auto_levels=auto_levels, light=light, gamma=gamma,
         min_importance=min_importance, sharpen=sharpen, sharpen_amount=sharpen_amount,
         along=along, size_by_tone=size_by_tone, keep_inside=keep_inside, dot_size=dot_size,
-        pens=pens, paper_size=paper_size, margin=margin, pen_path=pen_path, path_line=path_line,
+        pens=pens, pen=pen, dot_style=dot_style, paper_size=paper_size, margin=margin,
+        pen_path=pen_path, path_line=path_line,
         plot_time=plot_time, seconds_per_dot=seconds_per_dot,
         seconds_per_metre_down=seconds_per_metre_down, seconds_per_metre_up=seconds_per_metre_up,
         seconds_per_corner=seconds_per_corner, torus=torus, seed=seed,

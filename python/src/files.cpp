@@ -83,7 +83,12 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, const nb::d
     read(saved, "paper", paper);
     if (paper[0] > 0) style.sheet = Paper{paper[0], paper[1], paper[2]};
     read(saved, "are_strokes", style.are_strokes);
+    read(saved, "pen_mm", style.pen_mm);
+    read(saved, "circles", style.circles);
     read(saved, "line_width", style.line_width);
+    std::vector<std::pair<double, double>> plots;
+    read(saved, "layer_plots", plots);
+    for (const auto& [length, seconds] : plots) style.layer_plots.push_back({length, seconds});
     read(saved, "for_a_pen", style.for_a_pen);
     const files::Origin origin = origin_in(saved);
     const Unlocked unlocked;

@@ -42,7 +42,8 @@ StippleOptions options_of(const nb::dict& given, const std::vector<Ink>& inks) {
     read(given, "sharpen_amount", options.tone.sharpen_amount);
     // The library cannot refuse these: some have one member, and some are nothing without others.
     std::vector<options::GivenOption> all;
-    for (const char* const name : {"dot-size", "pens", "paper-size", "margin"}) {
+    for (const char* const name :
+         {"dot-size", "pens", "pen", "dot-style", "paper-size", "margin"}) {
         const std::string argument = options::find_option(options::kStipple, name)->key();
         if (given.contains(argument.c_str()))
             all.push_back({name, {nb::cast<std::string>(given[argument.c_str()])}});
@@ -81,10 +82,16 @@ nb::dict stipple_picture(const Picture& picture, const nb::dict& given,
         made["paper"] = nb::make_tuple(paper.width_mm, paper.height_mm, paper.margin_mm);
     }
     made["are_strokes"] = dots.are_strokes;
+    made["pen_mm"] = dots.pen_mm;
+    made["circles"] = dots.circles;
     made["line_width"] = dots.line_width;
     made["for_a_pen"] = dots.is_for_a_pen;
     made["path_length"] = dots.path_length;
     made["plot_seconds"] = dots.plot_seconds;
+    nb::list plots;
+    for (const auto& [length, seconds] : dots.layer_plots)
+        plots.append(nb::make_tuple(length, seconds));
+    made["layer_plots"] = nb::tuple(plots);
     made["iterations"] = dots.iterations;
     made["seconds"] = watch.seconds();
     return made;

@@ -23,6 +23,8 @@ OPTIONS = """--dot-size 1mm
 --count 300 --inks black:0.5mm,red:1mm --pen-path
 --count 300 --dot-size 1mm --no-pen-path
 --along 4 --dot-size 1mm
+--dot-size 0.8mm..2mm --pen 0.5mm
+--count 200 --size-by-tone 0.5 --pen 0.6mm --dot-style circle --turn 90 --crop 20,30,100,120
 --path-line --dot-size 1mm --plot-time 2min --seconds-per-metre-down 30 --seconds-per-corner 0.1
 --plot-time 10min --dot-size 1mm --seconds-per-dot 0.5 --seconds-per-metre-up 10"""
 
@@ -57,7 +59,7 @@ def test_each_pen_is_a_layer_and_the_time_is_known() -> None:
 
 @pytest.mark.parametrize(
     ("argument", "value"),
-    [("dot_size", "0.4"), ("pens", "1mm,0"), ("paper_size", "A77"), ("plot_time", "soon")],
+    [("dot_size", "0.4"), ("pens", "1mm,0"), ("pen", "0"), ("crop", "1,2"), ("paper_size", "A77"), ("plot_time", "soon")],
 )
 def test_what_is_not_understood_is_refused(argument: str, value: str) -> None:
     refused(lacuna.BadRequest, argument, lacuna.stipple, np.eye(8), **{argument: value})
@@ -92,6 +94,7 @@ def test_dots_of_the_next_picture_begin_where_those_of_the_last_lie() -> None:
         ("paper", {"paper": (100.0, 0.0, 0.0)}),
         ("paper", {"paper": (100.0, 100.0, 60.0)}),
         ("line_width", {"line_width": float("nan")}),
+        ("pen_mm", {"pen_mm": -1.0}),
     ],
 )
 def test_what_cannot_be_drawn_is_refused_when_saved(

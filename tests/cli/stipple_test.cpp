@@ -158,6 +158,23 @@ TEST(Stipple, InExactTellsItsModeAndTheMetricThatItHas) {
 
 TEST(Stipple, OfOneDotSaysSo) {
     const Folder folder;
+TEST(Stipple, SaysThatDotsHaveWidthsOfNoPenThatThePictureIsBlackAndHowLongEachLayerTakes) {
+    const Folder folder;
+    const std::string dark = grey_picture(folder, 2, 1, bytes({5, 8}));
+    const auto said = [&](const Names& options) {
+        return run(joined({"stipple", dark, "--count", "20", "-o", folder.path("a.svg")}, options))
+            .err;
+    };
+    expect_has(said({}), {"is 97 % black: --auto-levels shows more of it, and --invert draws "});
+    for (const char* const levels : {"--auto-levels", "--white=0.1", "--quiet"})
+        EXPECT_EQ(said({levels}).find("% black"), std::string::npos) << levels;
+    const Names sizes{"--dot-size", "1mm..2mm", "--white=0.05"};
+    expect_has(said(sizes), {" wide, which no one pen draws: for a plotter give --pen, "});
+    EXPECT_EQ(said(joined(sizes, {"--pen", "0.5mm"})).find("no one pen"), std::string::npos);
+    expect_has(said({"--pens", "1mm,2mm", "--white=0.05"}), {" (1mm ", ", and 1 change of pens) "});
+    expect_has(content_of(folder.path("a.svg")), {"2mm\"", "<desc>pen path ", " m, about "});
+}
+
     const Outcome outcome = run({"stipple", kRaccoon, "--count", "1", "-o", folder.path("a.svg")});
     EXPECT_TRUE(outcome.err.starts_with("1 dot, ")) << outcome.err;
 }

@@ -114,8 +114,8 @@ inline void judge_dots(const Drawing& drawing, const Stippling& made, Counts& co
     demand(!is_known || dots.size() < 2 ||
                (is_moved ? least == made.result.radius : least >= made.result.radius),
            "dots are " + std::to_string(least) + " apart");
-    // A path is as long as its dots are apart, layer by layer.
-    if (!made.is_for_a_pen || made.are_strokes) return;
+    // A path is as long as its dots are apart, layer by layer, but with spirals and circles.
+    if (!made.is_for_a_pen || made.are_strokes || made.pen_mm != 0) return;
     double length = 0;
     std::vector<Layer> layers = made.layers;
     if (layers.empty()) layers.push_back({{}, dots.size()});

@@ -262,6 +262,12 @@ private:
         if (is(kSizes, "pens by tone")) {
             options.pens = Pens{pen, wide};
             line_.add("dot-size", pen, "mm..", wide, "mm");
+            if (!is(kInks, "pens") && !is(kAlong, "yes") && !is(kPath, "a line") &&
+                choose_.below(2) == 0)
+                line_.add("pen", *(options.pen_mm = pen / 2), "mm");
+            if (options.pen_mm)
+                line_.add("dot-style",
+                          (options.circles = choose_.below(2) == 0) ? "circle" : "spiral");
         }
         if (is(kSizes, "several pens")) {
             options.pens = Pens{pen, wide, {pen, wide}};

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -151,8 +152,44 @@ TEST(Stippling, WithPensHasTheirWidthsAndALayerForEach) {
     area /= mm_of(made) * mm_of(made) * mean_of(field);
     EXPECT_GT(area, 1.03);
     EXPECT_LT(area, 1.12 * 1.12);
+    ASSERT_EQ(made.layer_plots.size(), 3U);
+    EXPECT_NEAR(
+        made.layer_plots[0].seconds + made.layer_plots[1].seconds + made.layer_plots[2].seconds,
+        made.plot_seconds, 1e-9);
     options.inks = inks_of("red,blue");
     EXPECT_EQ(stipple(kDrawing, options).layers[3].ink.name, "blue 0.3mm");
+}
+
+TEST(Stippling, OfOnePenHasTheTimeAndTheLengthOfItsSpiralsAndCircles) {
+    const StippleOptions dots{.pens = Pens{0.5, 2}, .paper = Paper{100, 100}};
+    StippleOptions spirals = dots, circles = dots, few{.paper = Paper{100, 100}};
+    spirals.pen_mm = circles.pen_mm = few.pen_mm = 0.4;
+    circles.circles = true;
+    few.size_by_tone = 0.5;
+    few.request.count = 300;
+    const Stippling dips = stipple(ramp(), dots), filled = stipple(ramp(), spirals);
+    EXPECT_EQ(filled.result.points, dips.result.points);
+    double length = 0, ink = 0;
+    for (const double diameter : filled.diameters) {
+        length += std::numbers::pi * (mm_of(filled) * diameter - 0.4);
+        ink += std::numbers::pi / 4 * std::pow(mm_of(filled) * diameter, 2);
+    }
+    const Stippling round = stipple(ramp(), circles);
+    EXPECT_NEAR(mm_of(round) * (round.path_length - dips.path_length), length, 0.1 * length);
+    EXPECT_GT(mm_of(filled) * (filled.path_length - dips.path_length), ink / 0.4);
+    EXPECT_LT(mm_of(filled) * (filled.path_length - dips.path_length), 1.5 * ink / 0.4);
+    EXPECT_GT(filled.plot_seconds, round.plot_seconds);
+    EXPECT_GT(round.plot_seconds, dips.plot_seconds + 0.02 * length);
+    const Stippling fine = stipple(ramp(), few);
+    EXPECT_TRUE(fine.is_for_a_pen);
+    EXPECT_GE(mm_of(fine) * *std::min_element(fine.diameters.begin(), fine.diameters.end()), 0.399);
+    for (StippleOptions options : {spirals, circles, few}) {
+        options.request.count.reset();
+        options.plot_seconds = options.pens ? 250 : 800;
+        const Stippling made = stipple(ramp(), options);
+        EXPECT_LE(made.plot_seconds, *options.plot_seconds);
+        EXPECT_GE(made.plot_seconds, 0.8 * *options.plot_seconds);
+    }
 }
 
 TEST(Stippling, InInksWithPensOfTheirOwnHasAsMuchInkOfEachAsThePictureNeeds) {

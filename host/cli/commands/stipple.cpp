@@ -16,7 +16,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/number_text.h"
 #include "cli/options/common_options.h"
 #include "cli/options/domain_options.h"
 #include "cli/options/drawing.h"
@@ -24,6 +23,7 @@
 #include "cli/options/relaxation.h"
 #include "cli/reports/output.h"
 #include "cli/reports/report.h"
+#include "cli/reports/stippled.h"
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/run_program.h"
 #include "drawing/picture.h"
@@ -165,6 +165,8 @@ Json json_of(const StippleCommand& all, const StippleOptions& options, const Sti
     json["pen_path"] = made.is_for_a_pen;
     if (options.path_line) json["path_line"] = true;
     if (options.keep_inside) json["keep_inside"] = true;
+    if (made.pen_mm != 0) json["pen_mm"] = made.pen_mm;
+    if (made.circles) json["dot_style"] = "circle";
     if (options.size_by_tone != 0) json["size_by_tone"] = options.size_by_tone;
     return json;
 }
@@ -190,30 +192,12 @@ Json report_of_the_rest(const StippleCommand& all, const std::vector<Output>& ou
         more["pen_path"] = {{"length", made.path_length},
                             {"length_as_admitted", made.admitted_length}};
     if (made.plot_seconds != 0) more["plot_seconds"] = made.plot_seconds;
+    for (std::size_t k = 0; k < made.layers.size() && made.plot_seconds != 0; ++k)
+        more["layers"].push_back({{"name", made.layers[k].ink.name},
+                                  {"dots", made.layers[k].dots},
+                                  {"path_length", made.layer_plots[k].path_length},
+                                  {"plot_seconds", made.layer_plots[k].seconds}});
     return more;
-}
-
-// What is to be said of the number of dots, for the summary at the end: those of each layer, and
-// whether the library has chosen it.
-std::string note_on_count(const StippleOptions& options, const Stippling& made) {
-    std::string text = words_of(made.layers);
-    if (made.is_finished_sooner)
-        text += fmt::format(" (finished sooner than in {}: more would not suit)",
-                            time_text(*options.plot_seconds));
-    if (!text.empty()) return text;
-    return options.request.count || options.request.scale || options.plot_seconds
-               ? ""
-               : " (chosen for the picture: --count gives another number)";
-}
-
-// For the summary of a run with a pen: the length of its path, and how long a plotter takes.
-std::string plot_text(const StippleOptions& options, const files::PointSet& set,
-                      const drawing::Style& style, const Stippling& made) {
-    if (made.plot_seconds == 0) return "";
-    const double millimetres = made.path_length * drawing::millimetres_per_unit(set, style);
-    return fmt::format(", pen path {:.2f} m, about {} on {}", millimetres / 1000,
-                       time_text(made.plot_seconds),
-                       options.plotter == Plotter{} ? "an AxiDraw V3" : "this plotter");
 }
 
 // Makes the dots of one picture, and its files. Returns the dots.
@@ -231,19 +215,22 @@ std::vector<Point> run_one(const CommandLine& line, const StippleCommand& all) {
         common, made, [&](Observer& observer) { return stipple(picture, options, observer); });
     made.result = dots.result;
     const Request& request = common.request = dots.request;
-    if (!common.quiet && options.start_points.empty())
+    if (!common.quiet && options.start_points.empty()) {
+        warn_of_darkness(line, all.image, dots);
         warn_of_ink(drawing, {.dots = made.result.points.size(),
                               .suits = dots.dots_for_ink,
                               .domain = request.domain,
                               .widest_pen_mm = stippling::widest_pen(options),
                               .are_line = options.path_line,
                               .has_gamma = line.has("gamma")});
+    }
 
     const Json asked = json_of(all, options, dots);
     const files::Origin origin = origin_of(line, request, made.result, asked);
     auto shown = drawing::shown(dots);
     files::PointSet& set = shown.set;
     drawing::Style& style = shown.style;
+    if (!common.quiet) warn_of_widths(shown, dots, outputs);
     style.pixels_per_inch = all.pixels_per_inch;
     set.origin = &origin;
     set.writes_ellipses = all.ellipse_columns;

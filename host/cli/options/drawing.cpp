@@ -20,7 +20,7 @@
 namespace lacuna::cli {
 namespace {
 
-constexpr const char* kDrawn[] = {"dot-size", "pens", "paper-size", "margin", "dpi"};
+constexpr const char* kDrawn[] = {"dot-size", "pens", "pen", "paper-size", "margin", "dpi"};
 constexpr double kMostPixels = 32767;  // that cairo can draw along a side of an image
 // Limits of the dots' ink, as a multiple of the picture's ink; beyond them the user is warned. They
 // are one stop of a photograph: 0.5 looks as if it was exposed twice as long, and 2 as if it was

@@ -89,12 +89,17 @@ struct StippleOptions {
     // Dots as pens draw them, in inks that have no pen of their own (Ink::pen_mm). Unset: the dots'
     // ink is as much as the picture is dark.
     std::optional<Pens> pens{};
+    // The width of the one pen that draws all dots, none of which is narrower: wider ones as
+    // spirals without gaps or, with `circles`, as circles whose outer edges are the dots'. Unset:
+    // there is a pen for each width.
+    std::optional<double> pen_mm{};
+    bool circles = false;
     std::optional<Paper> paper{};  // unset: the page is the picture, its longer side 512 points
     Colour paper_colour = kWhitePaper;  // inks are separated for it, and pictures show it
     // Keeps dots off white and in the picture: dots that overhang an edge are moved inwards, and in
     // a shape narrower than a dot they are smaller and denser, but not smaller than a pen.
     bool keep_inside = false;
-    // Orders the dots of each ink along a short path. Default: if all inks have pens.
+    // Orders the dots of each ink along a short path. Default: if there are pens.
     std::optional<bool> pen_path{};
     // Draws that path as one line a layer in place of dots (Kaplan & Bosch 2005, TSP art). Dots lie
     // as densely as importance squared, so that the line has as much ink as the picture is dark.
@@ -105,6 +110,13 @@ struct StippleOptions {
     std::optional<double> plot_seconds{};
 
     bool measure = false;  // fill in Relaxed::evenness, as RelaxOptions::measure does
+};
+
+// What a plotter does for a layer: the length of the pen's path, in the domain's unit, and about
+// how long it takes.
+struct LayerPlot {
+    double path_length = 0;
+    double seconds = 0;
 };
 
 // The dots of a picture, and how they were made.
@@ -119,6 +131,8 @@ struct Stippling {
     // 2 b wide, as the pen is.
     std::vector<Ellipse> ellipses{};
     bool are_strokes = false;
+    double pen_mm = 0;  // StippleOptions::pen_mm; 0: none
+    bool circles = false;
     std::vector<Layer> layers{};       // the inks, or pens, and their dots; empty: black
     std::uint32_t iterations = 0;      // how often the dots were moved
     std::optional<Relaxed> relaxed{};  // how, without the points
@@ -128,16 +142,18 @@ struct Stippling {
     Colour paper_colour = kWhitePaper;
     bool is_for_a_pen = false;  // whether dots were ordered along a path
 
+    double darkness = 0;        // the mean of the importance, in inks of their sum
     std::uint32_t columns = 0;  // of the picture, in pixels
     std::uint32_t rows = 0;
     // With pens for all inks: how many dots, or lines through how many, would have the picture's
     // ink; 0 for strokes.
     double dots_for_ink = 0;
-    // With pens or a pen's path: its length, in the domain's unit, in the dots' order and in that
-    // of admission, and about how long a plotter takes for the dots and the path between them.
+    // With pens or a pen's path: its length with all strokes, circles and spirals, in the domain's
+    // unit, in the dots' order and in that of admission, and about how long a plotter takes.
     double path_length = 0;
     double admitted_length = 0;
     double plot_seconds = 0;
+    std::vector<LayerPlot> layer_plots{};  // the same of each layer, or of all dots
     // With StippleOptions::plot_seconds: the picture needs no more dots than these.
     bool is_finished_sooner = false;
     double line_width = 0;  // with path_line: in the domain's unit, where the ink has no pen

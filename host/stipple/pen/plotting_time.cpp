@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -82,6 +83,16 @@ double seconds_up(const Plotter& plotter, double mm) {
 
 double seconds_straight_down(const Plotter& plotter, double mm) {
     return with_pen_down(plotter).from_stop_to_stop(mm);
+}
+
+double seconds_around(const Plotter& plotter, const drawing::PenDot& dot) {
+    const Motion motion = with_pen_down(plotter);
+    double seconds = 0, per_mm = 0;
+    dot.for_each_half([&](double, double radius, bool) {
+        per_mm = std::max(motion.per_mm, std::sqrt(motion.less_per_mm_s / radius));
+        seconds += std::numbers::pi * radius * per_mm;
+    });
+    return per_mm == 0 ? 0 : seconds + motion.less_per_mm_s / per_mm;
 }
 
 double seconds_down(const Plotter& plotter, std::span<const Point> line, double mm_per_unit) {

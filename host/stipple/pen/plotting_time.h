@@ -6,11 +6,16 @@
 
 #include <span>
 
+#include "drawing/pen_dot.h"
+
 namespace lacuna::pen {
 
 // From standing to standing, straight on.
 double seconds_up(const Plotter& plotter, double mm);
 double seconds_straight_down(const Plotter& plotter, double mm);
+// Along the circle or spiral in which a pen draws a dot, whose lengths are in mm. It goes so slowly
+// that it is accelerated sideways no more than it may be along its way.
+double seconds_around(const Plotter& plotter, const drawing::PenDot& dot);
 
 // From standing to standing, along a line through these points.
 double seconds_down(const Plotter& plotter, std::span<const Point> line, double mm_per_unit);

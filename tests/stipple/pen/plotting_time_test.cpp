@@ -36,6 +36,16 @@ TEST(PlottingTime, FromStopToStopIsThatOfAnEvenAcceleration) {
     EXPECT_EQ(down({{0, 0}, {1, 0}, {1, 1}}, {0, 0, 10, 1}), 0);
 }
 
+TEST(PlottingTime, AroundADotIsAsSlowAsItsCirclesAsk) {
+    // On a radius of 0.4 mm 1000 mm/s^2 sideways allow 20 mm/s; on one of 10 mm the pen is at 50.
+    EXPECT_DOUBLE_EQ(seconds_around(kPlotter, drawing::pen_dot(1, 0.2, true)),
+                     2 * std::numbers::pi * 0.4 / 20 + 20 / 1000.0);
+    EXPECT_DOUBLE_EQ(seconds_around(kPlotter, drawing::pen_dot(21, 1, true)),
+                     2 * std::numbers::pi * 10 / 50 + 50 / 1000.0);
+    EXPECT_EQ(seconds_around(kPlotter, {}), 0);
+    EXPECT_EQ(seconds_around({0, 0, 0, 0}, drawing::pen_dot(21, 1, false)), 0);
+}
+
 TEST(PlottingTime, OfALineIsLongerTheSharperItsCornersAre) {
     EXPECT_EQ(down({}), 0);
     EXPECT_EQ(down({{1, 1}}), 0);
