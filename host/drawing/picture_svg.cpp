@@ -22,9 +22,13 @@ std::string svg_metadata(const files::Origin& origin) {
     return fmt::format(
         "<metadata>\n<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
         "xmlns:dc=\"http://purl.org/dc/elements/1.1/\">\n<rdf:Description rdf:about=\"\">"
-        "<dc:creator>{}</dc:creator><dc:source>{}</dc:source><dc:description>{}</dc:description>"
+        "<dc:creator>{}</dc:creator><dc:source>{}</dc:source>{}<dc:description>{}</dc:description>"
         "</rdf:Description>\n</rdf:RDF>\n</metadata>\n",
-        program_text(origin), in_xml(origin.command), seed_text(origin));
+        program_text(origin), in_xml(origin.command),
+        origin.image_sha256.empty()
+            ? ""
+            : "<dc:relation>sha256:" + origin.image_sha256 + "</dc:relation>",
+        seed_text(origin));
 }
 
 // Programs for plotters would take a rectangle for a shape to draw: on a sheet, and for a pen, the
@@ -63,10 +67,6 @@ std::string group_head(std::span<const files::Layer> layers, std::size_t index,
         files::hex_of(layer.ink.colour));
 }
 
-void append_line(std::string& bytes, std::span<const Point> points, double width,
-                 const Page& page) {
-    fmt::format_to(std::back_inserter(bytes),
-                   FMT_COMPILE("<path stroke-linejoin=\"round\" stroke-width=\"{:.6g}\" d=\""),
 // What a plotter does for a layer, which programs show as its description.
 std::string plot_text(const files::PointSet& set, std::size_t layer, const Style& style) {
     if (layer >= std::min(set.layers.size(), style.layer_plots.size())) return "";
@@ -75,6 +75,10 @@ std::string plot_text(const files::PointSet& set, std::size_t layer, const Style
                        path_length * millimetres_per_unit(set, style) / 1000, time_text(seconds));
 }
 
+void append_line(std::string& bytes, std::span<const Point> points, double width,
+                 const Page& page) {
+    fmt::format_to(std::back_inserter(bytes),
+                   FMT_COMPILE("<path stroke-linejoin=\"round\" stroke-width=\"{:.6g}\" d=\""),
                    width);
     ask_after(16 * points.size());
     char step = 'M';
@@ -125,12 +129,12 @@ std::string draw_svg(const files::PointSet& set, const Style& style) {
             append_line(bytes, part.points, line_width_of(set, layer, style, page), page);
         else if (style.are_strokes)
             append_strokes(bytes, part, page);
+        else if (style.pen_mm > 0)
+            append_pen_dots(bytes, part, its_style, page);
         else if (part.ellipses.empty())
             for_each_stroke(part, its_style, draw_dots);
         else
             append_ovals(bytes, part, its_style, page);
-        else if (style.pen_mm > 0)
-            append_pen_dots(bytes, part, its_style, page);
         bytes += "</g>\n";
     });
     return bytes + "</svg>\n";

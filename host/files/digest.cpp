@@ -60,6 +60,16 @@ void Sha256OfPoints::add_numbers(std::span<const double> numbers) {
     }
 }
 
+void Sha256OfPoints::add_bytes(std::string_view bytes) {
+    constexpr std::size_t kBytesPerUpdate = std::size_t{1} << 16U;
+    for (; !bytes.empty(); bytes.remove_prefix(std::min(kBytesPerUpdate, bytes.size()))) {
+        const std::string_view part = bytes.substr(0, kBytesPerUpdate);
+        ask_after(part.size() / sizeof(double));
+        check(EVP_DigestUpdate(state_->context.get(), part.data(), part.size()),
+              "EVP_DigestUpdate");
+    }
+}
+
 std::string Sha256OfPoints::hex() {
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
     unsigned int length = 0;
@@ -68,6 +78,12 @@ std::string Sha256OfPoints::hex() {
     for (const unsigned char byte : std::span(digest).first(length))
         hex += fmt::format("{:02x}", byte);
     return hex;
+}
+
+std::string sha256_of_bytes(std::string_view bytes) {
+    Sha256OfPoints digest;
+    digest.add_bytes(bytes);
+    return digest.hex();
 }
 
 std::string sha256_of(std::span<const Point> points) {

@@ -28,6 +28,7 @@ struct Origin {
     std::optional<Mode> mode{};  // unset: not known
     std::uint64_t seed = 0;
     std::optional<bool> maximal{};  // whether no further sample fits
+    std::string image_sha256{};     // of the picture that was read; empty if there was none
     std::string options{};          // a JSON object of all options that the points depend on
     std::vector<Level> levels{};    // of a progressive order
     double scale = 0;               // of the field, asked for or chosen; 0: there is no field
@@ -139,7 +140,9 @@ std::optional<int> descriptor_named(const std::string& path);
 // value that --report prints and that tests compare.
 std::string sha256_of(std::span<const Point> points);
 std::string sha256_in_space(std::span<const Point3> points);
-// The same hash when the points arrive in parts.
+// The same of any bytes.
+std::string sha256_of_bytes(std::string_view bytes);
+// The hash of points when the points arrive in parts.
 class Sha256OfPoints {
 public:
     Sha256OfPoints();
@@ -149,6 +152,7 @@ public:
 
     void add(std::span<const Point> points);
     void add_numbers(std::span<const double> numbers);
+    void add_bytes(std::string_view bytes);
     std::string hex();  // call it once, after the last add()
 
 private:

@@ -34,6 +34,9 @@ constexpr Row kRows[] = {
      "The points; - is standard input, as .txt"},
     {{"IMAGE", "", Kind::read_file, kStipple | kMoved | kCompare},
      "The picture; - is standard input"},
+    {{"FILE", "", Kind::read_file, kAgain, {.is_required = true}},
+     "The .svg or .json that is to be made again"},
+    {{"IMAGE", "", Kind::read_file, kAgain}, "The picture of stipple, if it lies elsewhere now"},
     {{"SIZE", "", Kind::text, kMask, {.is_required = true}},
      "Its sides in pixels, WIDTHxHEIGHT, each 8 to 1024"},
     {{"WHAT",
@@ -172,12 +175,12 @@ constexpr Row kRows[] = {
     {{"crop", "X,Y,W,H", Kind::text, kPicture},
      "Takes a part of the picture, as it was turned: W x H pixels, X from its left edge and Y from "
      "its top"},
-     "the paper; exact: in the plane, with no gap left, and with --metric min. The default is "
-     "cells, too, if --scale, --metric, --limit, --lines-per-radius or --round-size is given, "
-     "because a stratified set keeps no least distance"},
     {{"mode", "MODE", Kind::word, kStipple, {.words = Words::dot_modes, .alias = "start"}},
      "How dots are placed before they are moved. stratified (default with --relax): every part of "
      "the picture has its share of the dots; cells (default with --relax 0): on a lattice, as in "
+     "the paper; exact: in the plane, with no gap left, and with --metric min. The default is "
+     "cells, too, if --scale, --metric, --limit, --lines-per-radius or --round-size is given, "
+     "because a stratified set keeps no least distance"},
     {{"lines-per-radius", "M", Kind::whole, kStipple},
      "Lattice steps per least radius (default 10); in exact it changes only the speed (default 1)"},
     {{"inks", "LIST", Kind::text, kStipple},
@@ -268,15 +271,15 @@ constexpr Row kRows[] = {
      "Widths of pens, such as 0.3mm,0.5mm,0.8mm: each dot is as wide as one of them, wider where "
      "it "
      "is darker, and each pen has a layer of its own"},
-    {{"dot-size", "D", Kind::text, kRelax},
-     "Diameter of dots, such as 0.5mm; or radius (default): dots have as much ink as the picture "
-     "is dark, or are two thirds of the least distance wide. In .csv .npy .ply .json it adds "
     {{"pen", "D", Kind::text, kStipple},
      "Width of the one pen that draws dots of all sizes, such as 0.3mm: wider ones as spirals that "
      "leave no gap, or as --dot-style says; none is narrower"},
     {{"dot-style", "STYLE", Kind::word, kStipple, {.words = Words::dot_styles}},
      "With --pen: dots that are wider than it are filled spirals (default), or circles whose outer "
      "edges are the dots', which look lighter"},
+    {{"dot-size", "D", Kind::text, kRelax},
+     "Diameter of dots, such as 0.5mm; or radius (default): dots have as much ink as the picture "
+     "is dark, or are two thirds of the least distance wide. In .csv .npy .ply .json it adds "
      "columns for dots, as --paper-size does"},
     {{"dot-size", "D", Kind::text, kOrder},
      "Diameter of dots, such as 0.5mm; or radius (default): dots have as much ink as the picture "
@@ -375,6 +378,12 @@ constexpr Row kRows[] = {
      "By extension: {written}; - is standard output, as .txt (default); may be given several "
      "times"},
     {{"output",
+      "FILE",
+      Kind::written_file,
+      kAgain,
+      {.alias = "o", .repeats = true, .is_required = true, .decides_points = false}},
+     "By extension: {written}; may be given several times"},
+    {{"output",
       "REPORT",
       Kind::written_file,
       kAnalyze,
@@ -429,6 +438,7 @@ constexpr Row kRows[] = {
      "Shows the progress bar although standard error is no terminal under mpirun"},
     {{"quiet", "", Kind::flag, kReported, {.decides_points = false}},
      "No progress bar, no warning and no summary at the end"},
+    {{"quiet", "", Kind::flag, kAgain}, "No progress bar, no warning and no summary at the end"},
     {{"quiet", "", Kind::flag, kMask}, "No summary at the end"},
     {{"quiet", "", Kind::flag, kOrder}, "No summary at the end, and no warning"},
     {{"quiet", "", Kind::flag, kVerify},
@@ -444,9 +454,9 @@ constexpr auto kOptions = [] {
     return options;
 }();
 
-constexpr std::array<std::string_view, 11> kCommands{"sample",  "stipple", "relax",   "order",
+constexpr std::array<std::string_view, 12> kCommands{"sample",  "stipple", "relax",   "order",
                                                      "verify",  "analyze", "compare", "reproduce",
-                                                     "devices", "sample",  "mask"};
+                                                     "devices", "sample",  "mask",    "again"};
 
 }  // namespace
 

@@ -25,6 +25,7 @@ inline constexpr Commands kReproduce = 128;
 inline constexpr Commands kDevices = 256;
 inline constexpr Commands kMpiSample = 512;
 inline constexpr Commands kMask = 1024;
+inline constexpr Commands kAgain = 2048;
 
 std::string_view name_of_command(Commands command);
 // Unset if no command of the program lacuna has this name.

@@ -94,6 +94,8 @@ TEST(Stipple, EndsWithOneLineAndReportsWhatItMade) {
     auto request = json.at("request");
     EXPECT_EQ(request.at("image"), kRaccoon);
     request.erase("image");
+    EXPECT_EQ(request.at("image_sha256").get<std::string>().size(), 64U);
+    request.erase("image_sha256");
     EXPECT_EQ(request, expected);
     EXPECT_EQ(json.at("count"), 1000);
     EXPECT_EQ(json.at("image").at("columns"), 1024);
@@ -156,8 +158,6 @@ TEST(Stipple, InExactTellsItsModeAndTheMetricThatItHas) {
               "lacuna stipple " + image + " --count 100 --mode exact --relax 2");
 }
 
-TEST(Stipple, OfOneDotSaysSo) {
-    const Folder folder;
 TEST(Stipple, SaysThatDotsHaveWidthsOfNoPenThatThePictureIsBlackAndHowLongEachLayerTakes) {
     const Folder folder;
     const std::string dark = grey_picture(folder, 2, 1, bytes({5, 8}));
@@ -175,6 +175,8 @@ TEST(Stipple, SaysThatDotsHaveWidthsOfNoPenThatThePictureIsBlackAndHowLongEachLa
     expect_has(content_of(folder.path("a.svg")), {"2mm\"", "<desc>pen path ", " m, about "});
 }
 
+TEST(Stipple, OfOneDotSaysSo) {
+    const Folder folder;
     const Outcome outcome = run({"stipple", kRaccoon, "--count", "1", "-o", folder.path("a.svg")});
     EXPECT_TRUE(outcome.err.starts_with("1 dot, ")) << outcome.err;
 }

@@ -20,7 +20,7 @@ namespace {
 
 TEST(TheTableOfOptions, HasOneRowForEachOptionOfACommand) {
     for (const Commands command : {kSample, kStipple, kRelax, kOrder, kVerify, kAnalyze, kCompare,
-                                   kReproduce, kDevices, kMpiSample, kMask})
+                                   kReproduce, kDevices, kMpiSample, kMask, kAgain})
         for (const Option* option : options_of(command)) {
             EXPECT_EQ(find_option(command, option->name), option) << option->name;
             EXPECT_EQ(option->symbol.empty() && !option->is_argument(), option->kind == Kind::flag)

@@ -336,6 +336,16 @@ async function takeExample(name, inks) {
 }
 
 // --- saving
+// The bytes of an .svg with the SHA-256 of the picture that its command reads, as the command writes it.
+async function withHash(bytes) {
+    if (kind !== "stipple" || !crypto.subtle) return bytes;
+    const file = picture.isExact || picture.options ? whole.blob : await asPng(picture.canvas);
+    const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", await file.arrayBuffer()));
+    const hex = Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("");
+    return new TextEncoder().encode(new TextDecoder().decode(bytes)
+        .replace("</dc:source>", `$&<dc:relation>sha256:${hex}</dc:relation>`));
+}
+
 async function download() {
     const format = $("format").value;
     try {
@@ -345,7 +355,8 @@ async function download() {
         const name = `${baseName()}.${format}`;
         if (format === "png") return save(await drawn(shown), name);
         if (format === "pdf") return save(await asPdf(shown), name);
-        const { bytes } = await engine.ask("encode", { format });
+        const written = (await engine.ask("encode", { format })).bytes;
+        const bytes = format === "svg" ? await withHash(written) : written;
         save(new Blob([bytes]), name);
         say(`${name}: ${grouped(bytes.length)} bytes.`);
     } catch (error) {

@@ -16,6 +16,7 @@ Examples:
   lacuna stipple photo.jpg --count 20000 -o dots.svg
   lacuna relax points.txt --torus -o even.npy
   lacuna order points.txt -o ordered.npy
+  lacuna again dots.svg -o again.svg                the same file by the command that it records
   lacuna mask 64x64 -o mask.png
   lacuna sample --help
   lacuna verify points.txt --radius 0.01
@@ -37,6 +38,7 @@ void add_commands(CLI::App& app, const Sampler& sampler) {
     add_compare(app, sampler);
     add_mask(app);
     add_devices(app);
+    add_again(app, [sampler](CLI::App& own) { add_commands(own, sampler); });
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // The program lacuna: its subcommands.
 #pragma once
 
+#include <functional>
+
 #include "cli/reports/comparison.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
@@ -25,5 +27,7 @@ void add_reproduce(CLI::App& app);
 void add_compare(CLI::App& app, const Sampler& sampler);
 void add_mask(CLI::App& app);
 void add_devices(CLI::App& app);
+// Runs other commands, which `add_commands` adds to an app of its own.
+void add_again(CLI::App& app, const std::function<void(CLI::App&)>& add_commands);
 
 }  // namespace lacuna::cli

@@ -225,12 +225,14 @@ std::vector<Point> run_one(const CommandLine& line, const StippleCommand& all) {
                               .has_gamma = line.has("gamma")});
     }
 
-    const Json asked = json_of(all, options, dots);
-    const files::Origin origin = origin_of(line, request, made.result, asked);
+    Json asked = json_of(all, options, dots);
+    asked["image_sha256"] = files::sha256_of_bytes(picture.content);
+    files::Origin origin = origin_of(line, request, made.result, asked);
+    origin.image_sha256 = asked["image_sha256"];
     auto shown = drawing::shown(dots);
+    if (!common.quiet) warn_of_widths(shown, dots, outputs);
     files::PointSet& set = shown.set;
     drawing::Style& style = shown.style;
-    if (!common.quiet) warn_of_widths(shown, dots, outputs);
     style.pixels_per_inch = all.pixels_per_inch;
     set.origin = &origin;
     set.writes_ellipses = all.ellipse_columns;
