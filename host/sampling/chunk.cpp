@@ -21,8 +21,8 @@ namespace lacuna {
 namespace {
 
 constexpr std::uint32_t kStream = 0xc4a7;
-constexpr std::int64_t kMost = 1 << 20;  // as doubles resolve a grid no farther from 0
-constexpr double kRounding = 0x1p-20;    // of the size: more than a distance is rounded up
+constexpr std::int64_t kMostChunk = 1 << 20;  // as doubles resolve a grid no farther from 0
+constexpr double kRounding = 0x1p-20;         // of the size: more than a distance is rounded up
 
 void refuse_others(const Request& request) {
     const auto refuse = [](const std::string& with, const char* why) {
@@ -123,9 +123,9 @@ Chunk chunk(const Request& request, std::int64_t i, std::int64_t j, double size,
             Observer& observer) {
     refuse_others(request);
     for (const std::int64_t number : {i, j})
-        if (number < -kMost || number > kMost)
+        if (number < -kMostChunk || number > kMostChunk)
             throw BadRequest("chunk", std::to_string(i) + "," + std::to_string(j),
-                             "must be two whole numbers of at most " + std::to_string(kMost));
+                             "must be two whole numbers of at most " + std::to_string(kMostChunk));
     check_size(request, size);
     return Plane(request, size, made, observer).chunk(i, j);
 }
