@@ -9,7 +9,7 @@ help2man=$1 program=$2 command=$3 page=$4 about=$5 version=$6 folder=$7
 scratch=$folder/$page.parts
 mkdir -p "$scratch"
 # $command is unquoted because it may be empty.
-"$program" $command --help >"$scratch/all"
+"$program" $command --help${command:+-all} >"$scratch/all"
 awk -v folder="$scratch" '
     NR == 1 { print > (folder "/help"); next }
     /^Usage:/ { part = "help" }

@@ -26,6 +26,11 @@ constexpr Commands kMade = kSample | kStipple | kCompare | kMpiSample;
 constexpr Commands kDrawn = kSample | kStipple | kMoved;
 constexpr Commands kReported = kSample | kStipple | kRelax;
 
+// The rows below belong to it, in --help. It is no option of any command.
+constexpr Row heading(std::string_view text) {
+    return {{}, text};
+}
+
 constexpr Row kRows[] = {
     // Arguments
     {{"FILE", "...", Kind::read_file, kVerify | kAnalyze, {.repeats = true, .is_required = true}},
@@ -46,7 +51,7 @@ constexpr Row kRows[] = {
       {.words = Words::figures, .repeats = true, .is_required = true}},
      "table1, table2, fig3 to fig8, or all"},
 
-    // What points are asked for
+    heading("What points are asked for"),
     {{"radius", "R", Kind::number, kUniform}, "Least distance between two points; this or --count"},
     {{"radius", "R", Kind::number, kVerify},
      "The least distance promised (default: the one in a .json)"},
@@ -74,7 +79,7 @@ constexpr Row kRows[] = {
      "Width and height of the domain, or X0,Y0+WxH with its lower left corner (default: from a "
      ".json or a picture, or 1x1)"},
 
-    // Pictures
+    heading("Pictures"),
     {{"field", "IMAGE", Kind::read_file, kPlaced},
      "A picture that says where points are wanted: many where it is dark, none where it is white. "
      "IMAGE@X0,Y0+WxH lies in this rectangle, of which the domain is a part, and IMAGE@world where "
@@ -108,7 +113,7 @@ constexpr Row kRows[] = {
     {{"min-importance", "I", Kind::number, kPicture},
      "Least importance, so that white has dots too (default 0)"},
 
-    // Where points may lie
+    heading("Where points may lie"),
     {{"ellipses", "FILE", Kind::read_file, kPlaced},
      "An ellipse for each point instead of a disk: a .npy of rows x columns x 3 numbers, two radii "
      "and the angle of the first one, in radians counterclockwise from the x axis; --scale "
@@ -166,7 +171,7 @@ constexpr Row kRows[] = {
      "around them. Points outside of the domain are no part of the set, but keep their distance: "
      "give those of the chunks beside it"},
 
-    // Dots of a picture
+    heading("Dots of a picture"),
     {{"count", "N", Kind::whole, kStipple},
      "Exactly N dots, at a scale that fits; this or --scale (default: a number that suits the "
      "picture's size and darkness, or --dot-size)"},
@@ -198,7 +203,7 @@ constexpr Row kRows[] = {
      "With --inks: the dots of each ink, in place of --count (default: as much as the picture "
      "needs of each)"},
 
-    // How they are made
+    heading("How they are made"),
     {{"torus", "", Kind::flag, kMade | kMoved | kVerify | kAnalyze},
      "The edges wrap: distances go across them"},
     {{"limit", "K", Kind::whole, kMade}, "Stop after K points"},
@@ -259,7 +264,7 @@ constexpr Row kRows[] = {
      "In mode lines: points lie on the lines, and every distance is at least the radius R; without "
      "it distances may be R/(2M) less"},
 
-    // Dots on paper
+    heading("Dots on paper"),
     {{"dot-size", "D", Kind::text, kSample},
      "Diameter of dots, such as 0.5mm; or radius (default): two thirds of --radius. In .csv .npy "
      ".ply .json it adds columns for dots, as --paper-size does"},
@@ -333,7 +338,7 @@ constexpr Row kRows[] = {
      "How long it takes to stop and start again with the pen down, at full speed (default 0.066); "
      "less in blunt corners and on short ways"},
 
-    // Looking at sets
+    heading("Looking at sets"),
     {{"tolerance", "T", Kind::number, kVerify},
      "How far over R a gap may be (default 2^-28 of the longer side, for one radius everywhere)"},
     {{"distances-only", "", Kind::flag, kVerify},
@@ -352,7 +357,7 @@ constexpr Row kRows[] = {
     {{"smallest-radius", "R", Kind::number, kReproduce},
      "Leaves out rows of the tables with smaller radii"},
 
-    // Where it runs
+    heading("Where it runs"),
     {{"round-size", "K", Kind::whole, kMade},
      "Draws in a round; 0 chooses (default), 1 is the paper's algorithm"},
     {{"threads", "T", Kind::whole, kReported | kCompare | kAnalyze, {.decides_points = false}},
@@ -369,7 +374,7 @@ constexpr Row kRows[] = {
     {{"device", "NAME", Kind::text, kReported | kMpiSample, {.decides_points = false}},
      "A device's number or a part of its name"},
 
-    // What is written
+    heading("What is written"),
     {{"output",
       "FILE",
       Kind::written_file,
@@ -454,6 +459,33 @@ constexpr auto kOptions = [] {
     return options;
 }();
 
+// With what --help begins where a command has many options. --help-all lists them all.
+constexpr auto kEverybodysOptions = std::to_array<std::pair<std::string_view, Commands>>({
+    {"radius", kUniform | kVerify},
+    {"count", kMade},
+    {"domain", kUniform | kVerify | kMoved},
+    {"on", kPlaced},
+    {"field", kPlaced},
+    {"class", kPlaced},
+    {"inside", kPlaced},
+    {"avoid", kPlaced},
+    {"keep", kPlaced},
+    {"torus", kUniform | kVerify | kMoved},
+    {"iterations", kRelax},
+    {"inks", kStipple},
+    {"auto-levels", kStipple},
+    {"crop", kStipple},
+    {"dot-size", kStipple},
+    {"pen", kStipple},
+    {"paper-size", kStipple},
+    {"plot-time", kStipple},
+    {"seed", kMade},
+    {"backends", kCompare},
+    {"runs", kCompare},
+    {"output", kDrawn | kCompare | kMpiSample},
+    {"json", kVerify | kCompare},
+});
+
 constexpr std::array<std::string_view, 12> kCommands{"sample",  "stipple", "relax",   "order",
                                                      "verify",  "analyze", "compare", "reproduce",
                                                      "devices", "sample",  "mask",    "again"};
@@ -481,6 +513,18 @@ std::vector<const Option*> options_of(Commands command) {
     for (const Option& row : kOptions)
         if ((row.commands & command) != 0) rows.push_back(&row);
     return rows;
+}
+
+std::string_view heading_of(const Option& option) {
+    std::size_t row = static_cast<std::size_t>(&option - kOptions.data());
+    while (row > 0 && !kOptions[row].name.empty()) --row;
+    return row == 0 ? "Options" : kRows[row].help;
+}
+
+bool is_in_short_help(Commands command, const Option& option) {
+    return std::any_of(kEverybodysOptions.begin(), kEverybodysOptions.end(), [&](const auto& one) {
+        return one.first == option.name && (one.second & command) != 0;
+    });
 }
 
 const Option* find_option(Commands command, std::string_view name) {

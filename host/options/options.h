@@ -77,6 +77,11 @@ std::vector<const Option*> options_of(Commands command);
 // The row of a command's option, by its name or alias; null if it has none.
 const Option* find_option(Commands command, std::string_view name);
 
+// Of a row that these functions gave: under which heading --help-all lists it, and whether --help
+// lists it where the command has many options.
+std::string_view heading_of(const Option& option);
+bool is_in_short_help(Commands command, const Option& option);
+
 // The help of a row that these functions gave. It may name kinds of files: {read}, {written} or
 // {pictures} stands for the extensions of those that can be read, written, or written as pictures.
 std::string_view help_of(const Option& option);

@@ -138,13 +138,23 @@ TEST(Help, OfACommandBeginsWithExamplesAndNamesEveryOption) {
     using namespace lacuna::options;
     for (const Commands command :
          {kSample, kStipple, kRelax, kOrder, kVerify, kAnalyze, kCompare, kReproduce}) {
-        const Outcome outcome = run({std::string(name_of_command(command)), "--help"});
+        const Outcome outcome = run({std::string(name_of_command(command)), "--help-all"});
         EXPECT_EQ(outcome.exit_code, 0);
         EXPECT_EQ(outcome.err, "");
         EXPECT_LT(outcome.out.find("Examples:"), outcome.out.find("Options:"));
         for (const Option* option : options_of(command))
             expect_has(outcome.out.substr(outcome.out.find("Options:")),
                        {option->is_argument() ? "" : "--" + std::string(option->name)});
+    }
+}
+
+TEST(Help, OfACommandWithManyOptionsIsAScreenOfTheUsualOnes) {
+    for (const std::string command : {"sample", "stipple", "verify"}) {
+        const std::string help = run({command, "--help"}).out;
+        const std::string listed = help.substr(help.find("\nOptions:"));
+        EXPECT_LE(std::count(listed.begin(), listed.end(), '\n'), 40) << listed;
+        expect_has(help, {"options: lacuna " + command + " --help-all"});
+        EXPECT_LT(help.size(), run({command, "--help-all"}).out.size());
     }
 }
 

@@ -77,7 +77,7 @@ std::string recorded_text(std::string_view json, const std::string& key) {
     if (at == std::string_view::npos) return "";
     const std::size_t begin = at + mark.size();
     std::size_t end = begin;
-    while (end < json.size() && json[end] != '"') end += json[end] == '\\' ? 2 : 1;
+    while (end < json.size() && json[end] != '"') end += json[end] == '\\' ? 2U : 1U;
     const auto text = nlohmann::json::parse(
         "\"" + std::string(json.substr(begin, end - begin)) + "\"", nullptr, false);
     return text.is_string() ? text.get<std::string>() : "";

@@ -77,12 +77,13 @@ void add_command(CLI::App& app, options::Commands which, const std::string& desc
                  const Targets& targets, const std::function<void(const CommandLine&)>& run) {
     CLI::App& command =
         *app.add_subcommand(std::string(options::name_of_command(which)), description);
-    std::vector<std::pair<const Option*, const CLI::Option*>> options;
+    std::vector<std::pair<const Option*, CLI::Option*>> options;
     for (const Option* row : options::options_of(which)) {
         const auto target = targets.find(row->name);
         if (target == targets.end())
             throw std::logic_error(fmt::format("no target for the option {}", row->name));
         options.emplace_back(row, add_option(command, *row, target->second));
+        options.back().second->group(std::string(options::heading_of(*row)));
     }
     command.callback([which, options, run] {
         CommandLine line{which, {}};

@@ -20,16 +20,19 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/number_text.h"
 #include "cli/terminal/completion.h"
 #include "files/point_files.h"
+#include "options/options.h"
 
 namespace lacuna::cli {
 namespace {
 
-// Lists each command by the first line of its description, without its examples.
+// Lists each command by the first line of its description, without its examples; and of a command
+// with more options than a screen has lines those that everybody needs, unless all are asked for.
 class Formatter : public CLI::Formatter {
 public:
     std::string make_subcommand(const CLI::App* command) const override {
@@ -39,6 +42,26 @@ public:
                                  all.substr(0, all.find('\n')), column_width_);
         return out.str();
     }
+    std::string make_help(const CLI::App* app, std::string name,
+                          CLI::AppFormatMode mode) const override {
+        const auto command = options::command_called(app->get_name());
+        const auto all =
+            app->get_options([](const CLI::Option* one) { return one->nonpositional(); });
+        if (mode != CLI::AppFormatMode::Normal || !command || all.size() <= kFewOptions)
+            return CLI::Formatter::make_help(app, std::move(name), mode);
+        std::vector<const CLI::Option*> some;
+        for (const CLI::Option* const one : all) {
+            const auto* const row = options::find_option(*command, one->get_single_name());
+            if (row == nullptr || options::is_in_short_help(*command, *row)) some.push_back(one);
+        }
+        return make_description(app) + make_usage(app, std::move(name)) + make_positionals(app) +
+               make_group("Options", false, some) +
+               fmt::format("\nThe other {} options: lacuna {} --help-all\n",
+                           all.size() - some.size(), app->get_name());
+    }
+
+private:
+    static constexpr std::size_t kFewOptions = 20;
 };
 
 std::string version_of(const Program& program) {
@@ -160,6 +183,7 @@ int parse_and_run(const Program& program, int argc, char** argv) {
     try {
         app.name(program.name());
         app.formatter(std::make_shared<Formatter>());
+        app.set_help_all_flag("--help-all", "Print this help with all options");
         app.set_version_flag("-V,--version", version_of(program), "Print the version");
         app.require_subcommand(1);
         program.add_commands(app);
