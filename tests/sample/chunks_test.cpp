@@ -259,14 +259,16 @@ void expect_same_in_any_order(const Request& request, double size, double tolera
             if (which == 2) made.clear();
             const Chunk one = chunk(request, i, j, size, made, nobody);
             const Result set = sample(one.request);
-            if (which == 0) EXPECT_TRUE(proof_of(one.request, set).maximal) << i << "," << j;
+            if (which == 0) {
+                EXPECT_TRUE(proof_of(one.request, set).maximal) << i << "," << j;
+            }
             all[{i, j}] = {set.points, set.classes};
         }
         results.push_back(std::move(all));
     }
     Joined inner, ring;
     for (const auto& [at, chunk] : results[0]) {
-        for (const std::size_t other : {1, 2}) {
+        for (const std::size_t other : {1U, 2U}) {
             EXPECT_EQ(chunk.points, results[other][at].points) << at.first << "," << at.second;
             EXPECT_EQ(chunk.classes, results[other][at].classes);
         }
@@ -309,7 +311,7 @@ TEST(ChunksOfAPlane, AreTheSameInAnyOrderAndOneMaximalSet) {
 TEST(ChunksOfAPlane, HaveOneMaskAndThePolygonsOfThePlane) {
     Request request = uniform(0.05);
     Mask map{8, 8, std::vector<std::uint8_t>(64, 1)};
-    for (const std::size_t lake : {27, 28, 35, 9}) map.allowed[lake] = 0;
+    for (const std::size_t lake : {27U, 28U, 35U, 9U}) map.allowed[lake] = 0;
     map.extent = Domain{2, 2, Boundary::box, -1, -1};
     request.places.mask = &map;
     Request part = request;

@@ -39,6 +39,8 @@ export interface SampleOptions extends Omit<Options, "scale"> {
 /** `{ count: 2000, sizeByTone: 0.5, invert: true }` is `--count 2000 --size-by-tone 0.5 --invert`. */
 export interface StippleOptions extends Options {
     metric?: "min" | "mean" | "max";
+    turn?: Numeric;
+    crop?: List;
     invert?: boolean;
     light?: boolean;
     black?: Numeric;
@@ -56,6 +58,8 @@ export interface StippleOptions extends Options {
     inkCounts?: List;
     dotSize?: string;
     pens?: List;
+    pen?: string;
+    dotStyle?: "spiral" | "circle";
     paperSize?: string;
     margin?: string;
     sizeByTone?: Numeric;
