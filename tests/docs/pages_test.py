@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PHOTOGRAPHS = "photo.jpg", "density.png", "coast.png", "in/1.png", "in/2.png"
+PHOTOGRAPHS = "photo.jpg", "density.png", "coast.png", "land.png", "in/1.png", "in/2.png"
 SECONDS = 300  # no command may hang
 # All figures of the paper, which tests/reproduce checks.
 LEFT_OUT = "lacuna reproduce all "
@@ -78,6 +78,7 @@ def make_inputs(folder, program):
     for name in "park.svg", "garden.svg", "pond.svg":
         shutil.copyfile(ROOT / "examples" / "glade.svg", folder / name)
     (folder / "path.svg").write_text('<svg viewBox="0 0 120 70"><path d="M0 20L120 50"/></svg>')
+    (folder / "land.pgw").write_text("1\n0\n0\n-1\n0.5\n767.5\n")
     (folder / "rocks.csv").write_text("x,y,radius\n30,30,5\n80,40,8\n")
     (folder / "distances.csv").write_text("0.2,0.1\n0.1,0.3\n")
     (folder / "trees.csv").write_text("x,y\n0.1,0.2\n0.8,0.3\n")
@@ -86,6 +87,9 @@ def make_inputs(folder, program):
     shutil.copyfile(ROOT / "tests" / "pinned" / "ellipses.npy", folder / "swirl.npy")
     for make in ["sample --radius 0.01 -o survey.csv", "stipple photo.jpg --count 500 -o dots.npy"]:
         subprocess.run([program, *make.split(), "--quiet"], cwd=folder, check=True)
+    # The loop of placement.md, whose lines are no command each.
+    loop = re.search(r"^    (for j in .*? > around\.csv)$", (ROOT / "docs/placement.md").read_text(), re.M | re.S)
+    subprocess.run(loop[1].replace("lacuna", f"{program} 2>/dev/null"), shell=True, cwd=folder, check=True)
 
 
 def commands_of(page):
