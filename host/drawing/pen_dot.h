@@ -18,7 +18,8 @@ struct PenDot {
 
     double reach() const { return (halves - 1) * step; }  // of the middle of the outermost line
     double length() const {
-        return halves == 0 ? 0 : std::numbers::pi * reach() * (halves / 2 + 1);
+        const int radii = halves / 2 + 1;  // in lengths of reach(), the sum of all
+        return halves == 0 ? 0 : std::numbers::pi * reach() * radii;
     }
     // Where the pen comes down and goes up, to the right of the dot's middle.
     double begin() const { return step; }
