@@ -22,9 +22,9 @@ namespace {
 
 constexpr std::uint32_t kStream = 0xc4a7;
 constexpr std::int64_t kMostChunk = 1 << 20;  // as doubles resolve a grid no farther from 0
-constexpr double kRounding = 0x1p-20;         // of the size: more than a distance is rounded up
+constexpr double kRoundingOfChunk = 0x1p-20;  // of the size: more than a distance is rounded up
 
-void refuse_others(const Request& request) {
+void refuse_beside_chunk(const Request& request) {
     const auto refuse = [](const std::string& with, const char* why) {
         throw BadRequest("chunk", with, why);
     };
@@ -52,7 +52,7 @@ void check_size(const Request& request, double size) {
         greatest_share(request.classes) *
         request.radius.value_or(request.classes.names.empty() ? 0
                                                               : least_distance_of(request.classes));
-    if (!std::isfinite(size) || !(size > greatest * (1 + kRounding)))
+    if (!std::isfinite(size) || !(size > greatest * (1 + kRoundingOfChunk)))
         throw BadRequest("chunk-size", shortest(size),
                          "must be a finite number over " + rounded(greatest, 10) +
                              ", the greatest distance of two points");
@@ -121,7 +121,7 @@ Chunk chunk(const Request& request, std::int64_t i, std::int64_t j, double size)
 
 Chunk chunk(const Request& request, std::int64_t i, std::int64_t j, double size, MadeChunks& made,
             Observer& observer) {
-    refuse_others(request);
+    refuse_beside_chunk(request);
     for (const std::int64_t number : {i, j})
         if (number < -kMostChunk || number > kMostChunk)
             throw BadRequest("chunk", std::to_string(i) + "," + std::to_string(j),
