@@ -12,7 +12,7 @@
 namespace lacuna::places {
 namespace {
 
-constexpr double kMostPixels = 1 << 28;
+constexpr double kMostPixelsOfPart = 1 << 28;
 
 // The pixels along one side: those before the domain, and those in it.
 struct Along {
@@ -43,7 +43,7 @@ Part part_of(const Raster& picture, const Domain& extent, const Domain& domain,
     const Along x =
         along(domain.x0, domain.width, extent.x0, extent.width, picture.columns, option);
     const Along y = along(domain.y0, domain.height, extent.y0, extent.height, picture.rows, option);
-    if (x.count * y.count > kMostPixels)
+    if (x.count * y.count > kMostPixelsOfPart)
         throw BadRequest(option, shortest(x.count * y.count) + " pixels in the domain",
                          "must be at most 2^28");
     return {static_cast<std::int64_t>(x.before),

@@ -20,7 +20,7 @@
 namespace lacuna {
 namespace {
 
-constexpr std::uint32_t kStream = 0xc4a7;
+constexpr std::uint32_t kStreamOfChunks = 0xc4a7;
 constexpr std::int64_t kMostChunk = 1 << 20;  // as doubles resolve a grid no farther from 0
 constexpr double kRoundingOfChunk = 0x1p-20;  // of the size: more than a distance is rounded up
 
@@ -47,7 +47,7 @@ void refuse_beside_chunk(const Request& request) {
         refuse("with a mask", "needs the place of its picture, as in FILE@X0,Y0+WxH");
 }
 
-void check_size(const Request& request, double size) {
+void check_chunk_size(const Request& request, double size) {
     const double greatest =
         greatest_share(request.classes) *
         request.radius.value_or(request.classes.names.empty() ? 0
@@ -83,8 +83,9 @@ public:
         domain.width = edge(i + 1) - domain.x0;  // exact, so that the next one begins where it ends
         domain.height = edge(j + 1) - domain.y0;
         const std::uint64_t column =
-            random_bits(request_.seed, static_cast<std::uint64_t>(i), kStream).first;
-        chunk.request.seed = random_bits(column, static_cast<std::uint64_t>(j), kStream).first;
+            random_bits(request_.seed, static_cast<std::uint64_t>(i), kStreamOfChunks).first;
+        chunk.request.seed =
+            random_bits(column, static_cast<std::uint64_t>(j), kStreamOfChunks).first;
         chunk.request.keep = ring->points;
         chunk.request.keep_classes = ring->classes;
         return chunk;
@@ -126,7 +127,7 @@ Chunk chunk(const Request& request, std::int64_t i, std::int64_t j, double size,
         if (number < -kMostChunk || number > kMostChunk)
             throw BadRequest("chunk", std::to_string(i) + "," + std::to_string(j),
                              "must be two whole numbers of at most " + std::to_string(kMostChunk));
-    check_size(request, size);
+    check_chunk_size(request, size);
     return Plane(request, size, made, observer).chunk(i, j);
 }
 
