@@ -100,6 +100,7 @@ constexpr Pairs kPairs[] = {
     {kSample, "chunk", Needs::none_of, "border inside-by-radius",
      "it would leave gaps where chunks meet: give --avoid FILE:D"},
     {kSample, "chunk", Needs::none_of, "on-pixels relax gaussian", "its points keep a distance"},
+    {kSample, "columns", Needs::none_of, "ellipse-columns", "both may have a column angle"},
     {kSample, "seeds", Needs::none_of, "seed", "must be one of both"},
     {kSample, "frame", Needs::one_of, "seeds", "is what the sets of several seeds share"},
     {kSample, "frame", Needs::one_of, "torus", "is for tiles, whose edges wrap"},
