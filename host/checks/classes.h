@@ -14,6 +14,8 @@ namespace lacuna {
 // The least distances of classes, class by class in rows, as shares of the least that is not 0.
 // Without classes there is one distance.
 std::vector<double> distances_of(const Classes& classes);
+// The greatest of these shares.
+double greatest_share(const Classes& classes);
 // The least distance that is not 0, in the request's unit, which Request::radius or scale stand
 // for. Infinite if there is none.
 double least_distance_of(const Classes& classes);
@@ -27,8 +29,6 @@ double size_of(const Claim& claim);
 // count, or a radius or scale of its own.
 double distance_factor(const Request& request, const Result& result);
 
-// The greatest of these shares.
-double greatest_share(const Classes& classes);
 // Where samples of a class may lie: its own border and mask, or those of the request. The class is
 // 0 in a request without classes.
 double border_of(const Request& request, std::size_t of_class);

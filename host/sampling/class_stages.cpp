@@ -77,12 +77,16 @@ Result sample_in_stages(const CheckedRequest& request, Observer& observer, const
     Stages stages(request, observer, static_cast<std::uint64_t>(std::min(expected.samples, 1e18)));
     Result& result = stages.result();
     const auto missing = [&] { return missing_in(result, classes); };
+    const auto run = [&](const auto& stage_with) {
+        const std::vector<std::uint64_t> lacking = missing();
+        stages.run(stage_with(lacking), poll, lacking);
+    };
     for (std::size_t i = 0; classes.by_priority && i < classes.names.size(); ++i) {
         const auto is_next = [&](std::size_t one) { return one == i; };
-        stages.run(stage_of(request, missing(), is_next), poll, missing());
+        run([&](const auto& lacking) { return stage_of(request, lacking, is_next); });
     }
     while (!classes.by_priority) {
-        stages.run(next_by_count(request, missing()), poll, missing());
+        run([&](const auto& lacking) { return next_by_count(request, lacking); });
         if (result.maximal) break;
     }
     refuse_fewer(missing(), classes);

@@ -4,8 +4,7 @@
 //   - A file appears whole or not at all: an older file of that name stays until the new one is
 //     complete. Devices and pipes are written directly.
 //   - .txt, .csv, .npy, .ply, .geojson and .json hold every coordinate to the last bit, and the
-//   order of the
-//     points: reading gives back exactly what was written.
+//     order of the points: reading gives back exactly what was written.
 //   - The same set gives the same bytes on every call. In .png and .pdf they may differ between
 //     versions of cairo, which draws them.
 //   - A file that is broken or ambiguous is refused. The message is one line that names the file,
