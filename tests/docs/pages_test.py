@@ -25,7 +25,7 @@ COUNTS = {
                   ("2,628 points on an island", "sample --inside examples/lakes.svg --radius 1 --border 1"),
                   ("30,084 dots of 0.5 mm", "stipple examples/raccoon.png --dot-size 0.5mm "
                    "--paper-size A6 --margin 8mm")],
-    "docs/stipple.md": [
+    "docs/stipple_measured.md": [
         ("27,278", "stipple examples/raccoon.png"),
         ("77,658 dots in exact", "stipple examples/raccoon.png --scale 0.002 --relax 0 --mode exact"),
         ("74,584 in cells", "stipple examples/raccoon.png --scale 0.002 --relax 0")],
@@ -58,7 +58,7 @@ MEASURES = [
     ("docs/relax.md", "| 0.005 | 0.950", 0.02, TORUS, "sheet",
      "spectrum effective_nyquist_over_half_sqrt_count"),
     ("docs/relax.md", "| 0.664 | 0.772", 0.02, TORUS, "sheet", "nearest_neighbour relative_radius"),
-    ("docs/stipple.md", "| 20,000 | 9,337 | 135.0 | 115.0", 0.02,
+    ("docs/stipple_measured.md", "| 20,000 | 9,337 | 135.0 | 115.0", 0.02,
      "lacuna stipple examples/raccoon.png --count 20000 --relax 0 --pen-path -o m.npy", "report",
      "pen_path length"),
     ("docs/stipple.md", "that is 124,000", 0.01,

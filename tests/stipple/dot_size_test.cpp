@@ -216,7 +216,7 @@ TEST(DotDiameters, GivenAllTonesThenThereAreFewSizes) {
     EXPECT_LT(diameters.size(), 40U);
 }
 
-// docs/stipple.md, "How many": the million is of all inks together.
+// docs/stipple_measured.md, "How many": the million is of all inks together.
 TEST(TheNumberOfDots, CountsASideAs512To2048PixelsAndIsAMillionAtMost) {
     const auto black = [](std::uint32_t columns) {
         return Field{columns, 1, std::vector<double>(columns, 1)};

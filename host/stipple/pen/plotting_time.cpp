@@ -1,5 +1,5 @@
 // The model is that of AxiDraw's software: the pen goes at full speed or accelerates, and before a
-// corner it slows down as much as its angle asks for. docs/stipple.md has its numbers.
+// corner it slows down as much as its angle asks for. docs/stipple_measured.md has its numbers.
 #include "stipple/pen/plotting_time.h"
 
 #include <algorithm>
