@@ -7,7 +7,7 @@ export type Numeric = number | bigint | string;
 export type List = string | readonly (string | number)[];
 
 /**
- * What both functions have: options of the command, in camelCase. `lacuna sample --help` says what
+ * What both functions have: options of the command, in camelCase. `lacuna sample --help-all` says
  * each means; a flag is true.
  */
 export interface Options {

@@ -120,7 +120,7 @@ try {
         ["SampleOptions", "sample", sample],
         ["StippleOptions", "stipple", (options) => stipple(image, options)],
     ]) {
-        const help = execFileSync(program, [command, "--help"], { encoding: "utf8" });
+        const help = execFileSync(program, [command, "--help-all"], { encoding: "utf8" });
         const accepted = [...help.matchAll(/^ +(?:-\w,)?--([a-z-]+)/gm)]
             .map(([, option]) => option.replace(/-(.)/g, (_, letter) => letter.toUpperCase()))
             .filter((key) => {
