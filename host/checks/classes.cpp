@@ -133,6 +133,19 @@ bool is_open(const Classes& classes, std::size_t of_class) {
            (classes.counts.empty() || !classes.counts[of_class]);
 }
 
+KindOfClass kind_of(const Classes& classes, std::size_t of_class) {
+    KindOfClass kind{of_class, of_class};
+    const std::string& name = classes.names[of_class];
+    while (kind.first > 0 && classes.names[kind.first - 1] == name) --kind.first;
+    while (kind.last + 1 < classes.names.size() && classes.names[kind.last + 1] == name)
+        ++kind.last;
+    return kind;
+}
+
+bool has_sizes(const Classes& classes) {
+    return std::adjacent_find(classes.names.begin(), classes.names.end()) != classes.names.end();
+}
+
 bool has_open_class(const Classes& classes) {
     for (std::size_t i = 0; i < classes.names.size(); ++i)
         if (is_open(classes, i)) return true;

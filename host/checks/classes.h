@@ -41,6 +41,15 @@ bool has_counts(const Classes& classes);
 bool has_stages(const Classes& classes);
 // Whether a class is drawn until it has no room: one that has a weight and no number of points.
 bool is_open(const Classes& classes, std::size_t of_class);
+// The classes of the kind that `of_class` is one of, which have its name: first to last, as places.
+// With sizes there are several (Classes::names).
+struct KindOfClass {
+    std::size_t first;
+    std::size_t last;
+};
+KindOfClass kind_of(const Classes& classes, std::size_t of_class);
+// Whether a kind has several sizes.
+bool has_sizes(const Classes& classes);
 // Whether there is such a class, so that a set may be maximal, or no class at all.
 bool has_open_class(const Classes& classes);
 

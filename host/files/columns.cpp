@@ -28,4 +28,12 @@ std::vector<Column> columns_of(const PointSet& set) {
     return columns;
 }
 
+Column radius_of_each(std::span<const std::uint8_t> class_of_point,
+                      std::span<const double> radii_of_classes) {
+    Column column{"radius", {}};
+    column.values.reserve(class_of_point.size());
+    for (const std::uint8_t own : class_of_point) column.values.push_back(radii_of_classes[own]);
+    return column;
+}
+
 }  // namespace lacuna::files

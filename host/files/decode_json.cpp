@@ -251,6 +251,9 @@ void take_columns(const Json& header, const std::string& name, PointsOfFile& fil
                            points, numbers.size()));
     for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
         file.ellipses.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+    file.radii = numbers_of(member_of(header, "radii"));
+    if (!file.radii.empty() && file.radii.size() != points)
+        refuse(name, fmt::format("{} points, but \"radii\" has {}", points, file.radii.size()));
     if (header.contains("dots")) file.other_columns = {"radius", "x_mm", "y_mm", "radius_mm"};
 }
 

@@ -76,6 +76,7 @@ PointsOfFile decode_csv(std::string_view bytes, const std::string& name) {
         const auto number = [&](std::size_t column) { return rows.number(column); };
         if (columns.z) file.z.push_back(number(*columns.z));
         points.push_back({number(columns.x), number(columns.y)});
+        if (columns.radius) file.radii.push_back(number(*columns.radius));
         if (columns.a)
             file.ellipses.push_back(
                 {number(*columns.a), number(*columns.b), number(*columns.angle)});

@@ -72,10 +72,14 @@ void take_properties(const Json& properties, const std::string& place, PointsOfF
     const bool is_ellipse = a.is_number() && b.is_number() && angle.is_number();
     if (is_ellipse)
         file.ellipses.push_back({a.get<double>(), b.get<double>(), angle.get<double>()});
+    const Json& radius = property_of(properties, "radius");
+    const bool has_radius =
+        radius.is_number() && properties.contains("class") && !properties.contains("x_mm");
+    if (has_radius) file.radii.push_back(radius.get<double>());
     std::vector<std::string>& others = file.other_columns;
     if (!properties.is_object()) return;
     for (const auto& [key, value] : properties.items())
-        if (key != "class" && key != "ink" &&
+        if (key != "class" && key != "ink" && !(has_radius && key == "radius") &&
             !(is_ellipse && (key == "a" || key == "b" || key == "angle")) &&
             std::find(others.begin(), others.end(), key) == others.end())
             others.push_back(key);
@@ -99,10 +103,10 @@ PointsOfFile decode_geojson(std::string_view bytes, const std::string& name) {
         file.points.push_back({at[0].get<double>(), at[1].get<double>()});
         take_properties(property_of(feature, "properties"), place, file);
     }
-    for (const std::size_t count :
-         {file.classes.of_point.size(), file.inks.of_point.size(), file.ellipses.size()})
+    for (const std::size_t count : {file.classes.of_point.size(), file.inks.of_point.size(),
+                                    file.ellipses.size(), file.radii.size()})
         if (count != 0 && count != file.points.size())
-            refuse(name, "some points have a class, ink or ellipse, and some have none");
+            refuse(name, "some points have a class, ink, ellipse or radius, and some have none");
     return file;
 }
 

@@ -66,7 +66,9 @@ void append_ellipses(std::string& bytes, std::span<const Ellipse> ellipses) {
 
 void append_more(std::string& bytes, std::span<const Column> columns) {
     for (const Column& column : columns) {
-        bytes += fmt::format("\"{}\":[", column.name);
+        // "radius" is the set's.
+        const std::string_view name = column.name;
+        bytes += fmt::format("\"{}\":[", name == "radius" ? "radii" : name);
         const char* separator = "";
         for (const double value : column.values) {
             bytes += separator;

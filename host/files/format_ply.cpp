@@ -183,6 +183,7 @@ PointsOfFile read_vertices(Rest& rest, const Element& vertex, const Header& head
         points.push_back({values[columns.x], values[columns.y]});
         check_finite(points.back(), points.size() - 1, name);
         if (columns.z) file.z.push_back(values[*columns.z]);
+        if (columns.radius) file.radii.push_back(values[*columns.radius]);
         if (columns.a)
             file.ellipses.push_back(
                 {values[*columns.a], values[*columns.b], values[*columns.angle]});

@@ -43,8 +43,11 @@ std::vector<Layer> layers_of_classes(std::span<const std::string> names,
                                                                     {0x80, 0x00, 0x20},
                                                                     {0x17, 0x3f, 0x8a}}};
     std::vector<Layer> layers;
-    for (const std::string& name : names)
-        layers.push_back({{name, kColours[layers.size() % kColours.size()]}, 0});
+    std::size_t kinds = 0;  // sizes of one kind have its name and its colour
+    for (const std::string& name : names) {
+        if (layers.empty() || layers.back().ink.name != name) ++kinds;
+        layers.push_back({{name, kColours[(kinds - 1) % kColours.size()]}, 0});
+    }
     for (const std::uint8_t one : class_of_point) ++layers[one].dots;
     return layers;
 }

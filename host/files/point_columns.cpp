@@ -60,10 +60,11 @@ PointColumns::PointColumns(std::span<const std::string> names, const std::string
     a = find("a");
     b = find("b");
     angle = find("angle");
+    if (of_class && !find("x_mm")) radius = find("radius");
     if (!a || !b || !angle) a = b = angle = std::nullopt;
     for (std::size_t i = 0; i < names.size(); ++i)
         if (i != x && i != y && i != z && i != of_class && i != ink && i != a && i != b &&
-            i != angle)
+            i != angle && i != radius)
             others.push_back(names[i]);
 }
 

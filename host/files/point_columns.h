@@ -29,7 +29,8 @@ struct PointColumns {
     std::size_t x = 0;
     std::size_t y = 1;
     std::optional<std::size_t> z, of_class, ink, a, b, angle;
-    std::vector<std::string> others;  // names of the other columns, which are not read
+    std::optional<std::size_t> radius;  // of objects with classes, not of dots on a page
+    std::vector<std::string> others;    // names of the other columns, which are not read
 
     // Two columns, x and y.
     PointColumns() = default;

@@ -66,6 +66,10 @@ struct Column {
     std::vector<double> values;
 };
 
+// The radius of each point's object, by its class.
+Column radius_of_each(std::span<const std::uint8_t> class_of_point,
+                      std::span<const double> radii_of_classes);
+
 // A set of points, and what is needed to draw it.
 struct PointSet {
     std::span<const Point> points;

@@ -43,6 +43,9 @@ struct PointsOfFile {
     LayersOfFile inks{};
     // In .csv, .npy, .ply and .json: the ellipse of each point, or none.
     std::vector<Ellipse> ellipses{};
+    // In .csv, .ply, .geojson and .json, the radius of each object of a kind that has sizes; empty
+    // if points have no classes, or if the radii are those of dots on a page.
+    std::vector<double> radii{};
     // The names of columns that were not read, such as radius. A command that writes these points
     // again would lose them.
     std::vector<std::string> other_columns{};

@@ -126,8 +126,8 @@ constexpr Row kRows[] = {
      "the ellipse is a disk. The angle must be a multiple of 90"},
     {{"class", "NAME:R[:W[:N]]", Kind::text, kPlaced, {.repeats = true}},
      "Points of a class, such as trees:0.05, trees:0.05:3 or trees:0.05:3:20: its name, its "
-     "radius, how often it is drawn (default 1), and how many there are (default: as many as have "
-     "room); once for each class"},
+     "radius or, as in trees:0.02..0.05, objects of several sizes, how often it is drawn (default "
+     "1), and how many there are (default: as many as have room); once for each class"},
     {{"between", "RULE", Kind::word_or_file, kPlaced, {.words = Words::between}},
      "The least distance of two classes. sum (default): the sum of their radii, as of objects that "
      "do not overlap; union: each class alone and all together are evenly distributed; or a file "

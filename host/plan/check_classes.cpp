@@ -30,14 +30,31 @@ void check_names(const Classes& classes) {
     const std::size_t count = classes.names.size();
     if (count > MOST_CLASSES)
         throw BadRequest("class", std::to_string(count) + " classes",
-                         "must be at most " + std::to_string(MOST_CLASSES));
-    for (auto name = classes.names.begin(); name != classes.names.end(); ++name) {
-        if (!is_name(*name))
+                         "must be at most " + std::to_string(MOST_CLASSES) +
+                             (has_sizes(classes) ? ", and each size of a class is one" : ""));
+    for (const std::string& name : classes.names)
+        if (!is_name(name))
             throw BadRequest(
-                "class", "'" + *name + "'",
+                "class", "'" + name + "'",
                 "must be a name without spaces and without , : ; / \\ < > & or quotes");
-        if (std::find(classes.names.begin(), name, *name) != name)
-            throw BadRequest("class", *name, "is given twice");
+}
+
+// Classes of one name are sizes: they follow each other, and their own distances differ.
+void check_sizes(const Classes& classes) {
+    const std::size_t count = classes.names.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string& name = classes.names[i];
+        const auto own = [&](std::size_t one) { return classes.distances[one * (count + 1)]; };
+        for (std::size_t before = 0; before < i; ++before) {
+            if (classes.names[before] != name) continue;
+            if (before < kind_of(classes, i).first)
+                throw BadRequest("class", name,
+                                 "is given twice: sizes of one kind must follow "
+                                 "each other");
+            if (own(before) == own(i))
+                throw BadRequest("class", name,
+                                 "is given twice with the radius " + shortest(own(i) / 2));
+        }
     }
 }
 
@@ -113,6 +130,7 @@ void check_classes(const Request& request) {
     check_names(classes);
     check_weights(classes);
     check_distances(classes);
+    check_sizes(classes);
     check_ratio(classes);
     // Without a size of its own the request has the classes' least distance as its radius.
     const double least = least_distance_of(classes);

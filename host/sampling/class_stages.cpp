@@ -81,9 +81,19 @@ Result sample_in_stages(const CheckedRequest& request, Observer& observer, const
         const std::vector<std::uint64_t> lacking = missing();
         stages.run(stage_with(lacking), poll, lacking);
     };
-    for (std::size_t i = 0; classes.by_priority && i < classes.names.size(); ++i) {
-        const auto is_next = [&](std::size_t one) { return one == i; };
-        run([&](const auto& lacking) { return stage_of(request, lacking, is_next); });
+    for (std::size_t i = 0; classes.by_priority && i < classes.names.size();) {
+        const KindOfClass kind = kind_of(classes, i);
+        const auto is_next = [&](std::size_t one) { return one >= kind.first && one <= kind.last; };
+        const auto is_finished = [&] {
+            const std::vector<std::uint64_t> lacking = missing();
+            return result.maximal ||
+                   std::all_of(lacking.begin() + static_cast<std::ptrdiff_t>(kind.first),
+                               lacking.begin() + static_cast<std::ptrdiff_t>(kind.last + 1),
+                               is_full);
+        };
+        do run([&](const auto& lacking) { return stage_of(request, lacking, is_next); });
+        while (!is_finished());
+        i = kind.last + 1;
     }
     while (!classes.by_priority) {
         run([&](const auto& lacking) { return next_by_count(request, lacking); });

@@ -131,7 +131,8 @@ GapOfClass largest_gap_of_classes(const Fields& fields, const Claim& claim,
     for (std::size_t kind = 0; kind < all.count(); ++kind) {
         if (!is_open(claim.classes, kind)) continue;
         Kinds kinds = all;
-        if (claim.classes.by_priority) kinds.drop_later(kind, kept, members);
+        if (claim.classes.by_priority)
+            kinds.drop_later(kind_of(claim.classes, kind).last, kept, members);
         std::vector<Disk> disks;
         for (std::size_t other = 0; other < kinds.count(); ++other) {
             if (kinds.share(other, kind) == 0) continue;

@@ -15,9 +15,10 @@ from ._errors import BadRequest
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    # A radius, or a radius and a weight, or these two and a number of points; None in place of the
-    # radius if distances are given.
-    Size = float | tuple[float | None, float] | tuple[float | None, float, int | None] | None
+    # A radius, or a radius and a weight, or these two and a number of points; a text such as
+    # '1.5..3' for a radius is a range of sizes, and None that distances are given.
+    Radius = float | str | None
+    Size = Radius | tuple[Radius, float] | tuple[Radius, float, int | None]
     ClassSizes = Mapping[str, Size]
     Border = SupportsFloat | Mapping[str, SupportsFloat]
     Masks = npt.ArrayLike | Mapping[str | None, npt.ArrayLike]
@@ -39,8 +40,12 @@ def classes_of(
             f"classes must be a dict of names and radii, such as {{'trees': 0.05}}, not "
             f"{shown(classes)}"
         )
-    sizes = [_size_of(name, size) for name, size in classes.items()]
-    radii = [radius for radius, _, _ in sizes]
+    by_priority = flag("priority", priority)
+    sizes = [
+        one for name, size in classes.items() for one in _sizes_of(name, size, between, by_priority)
+    ]
+    names = [name for name, _, _, _ in sizes]
+    radii = [radius for _, radius, _, _ in sizes]
     if isinstance(between, str):
         if between not in ("sum", "union"):
             raise BadRequest("between", shown(between), "must be 'sum', 'union' or a matrix")
@@ -53,12 +58,12 @@ def classes_of(
         if any(radius is not None for radius in radii):
             raise BadRequest("classes", "", "need no radius, for between has all distances")
         distances = _matrix_of(between, len(radii))
-    weights = [weight for _, weight, _ in sizes]
-    counts = [count for _, _, count in sizes]
+    weights = [weight for _, _, weight, _ in sizes]
+    counts = [count for _, _, _, count in sizes]
     own: dict[str, Any] = {"counts": counts} if any(count is not None for count in counts) else {}
-    if flag("priority", priority):
+    if by_priority:
         own["priority"] = True
-    return {"class_names": list(classes), "distances": distances, "weights": weights, **own}
+    return {"class_names": names, "distances": distances, "weights": weights, **own}
 
 
 def borders_of(
@@ -94,7 +99,11 @@ def masks_of(mask: Masks | None, kinds: dict[str, Any]) -> tuple[dict[str, Any],
     return own | ({"mask": each[None]} if None in each else {}), first
 
 
-def _size_of(name: object, size: Any) -> tuple[float | None, float, int | None]:
+def _sizes_of(
+    name: object, size: Any, between: object, by_priority: bool
+) -> list[tuple[str, float | None, float, int | None]]:
+    """The name, radius, weight and number of points of each size of a class, which has one but for
+    a range."""
     if not isinstance(name, str):
         raise TypeError(f"classes: a name must be a str, not {shown(name)}")
     if isinstance(size, tuple) and len(size) not in (2, 3):
@@ -103,11 +112,16 @@ def _size_of(name: object, size: Any) -> tuple[float | None, float, int | None]:
             f"not {shown(size)}"
         )
     radius, weight, count = (*size, None)[:3] if isinstance(size, tuple) else (size, 1.0, None)
-    return (
-        None if radius is None else real("classes", radius),
-        real("classes", weight),
-        None if count is None else whole("classes", count, 1, 2**63 - 1),
-    )
+    weight = real("classes", weight)
+    number = None if count is None else whole("classes", count, 1, 2**63 - 1)
+    if isinstance(radius, str):
+        text = f"{name}:{radius}:{weight!r}" + ("" if number is None else f":{number}")
+        rule = between if isinstance(between, str) else "sum"
+        try:
+            return list(_core.sizes_of_class(text, rule, by_priority))
+        except BadRequest as error:
+            raise error.called("classes") from None
+    return [(name, None if radius is None else real("classes", radius), weight, number)]
 
 
 def _matrix_of(between: Any, count: int) -> list[float]:
@@ -124,10 +138,12 @@ def _matrix_of(between: Any, count: int) -> list[float]:
 
 def _numbers(argument: str, given: Iterable[object], names: Sequence[str]) -> Bytes:
     """The places of classes among the names: ``given`` are names or places."""
-    places = {name: place for place, name in enumerate(names)}
+    places = {name: place for place, name in enumerate(names) if names.count(name) == 1}
     numbers = []
     for one in given:
         place = places.get(one) if isinstance(one, str) else one
+        if one in names and place is None:
+            raise BadRequest(argument, shown(one), "has several sizes: give their places")
         if isinstance(place, (bool, float)) or place is None or not hasattr(place, "__index__"):
             raise BadRequest(argument, shown(one), f"must be one of {', '.join(names)}")
         number = place.__index__()

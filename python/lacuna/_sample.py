@@ -141,7 +141,8 @@ def sample(
     classes : dict of str to float, optional
         Points of several kinds: the radius of each by its name, or a radius and a weight, which
         says how often the class is drawn, or these two and how many points the class has, such as
-        ``(0.05, 1, 20)``; not with ``n``, ``limit`` and ``progressive``. Then give no ``radius`` or ``scale``; with ``n`` the
+        ``(0.05, 1, 20)``. A text is a range of radii: ``'1.5..3'`` has objects of 8 sizes, and
+        ``'1.5..3/5'`` of 5, as ``radii_of_classes`` says. Not with ``n``, ``limit`` and ``progressive``. Then give no ``radius`` or ``scale``; with ``n`` the
         radii are in proportion. With a field they are those where the importance is 1. At most 16.
     between : {'sum', 'union'} or array_like, shape (K, K)
         The least distance of two classes. 'sum': the sum of their radii, as of objects that do not
@@ -307,7 +308,7 @@ def sample(
         "avoid": avoid, "near": near, "keep": keep, "classes": classes,
     }  # fmt: skip
     asked["given"] = [name for name, array in arrays.items() if array is not None]
-    own = keep._names_of_points() if isinstance(keep, PointSet) and kinds else None
+    own = keep._names_of_points(kinds) if isinstance(keep, PointSet) and kinds else None
     of_kept = classes_of_points("keep_classes", keep_classes, own, kinds, kept)
     with watched(progress) as told:
         made = _core.sample(asked, importance, places, kept, of_kept, told)

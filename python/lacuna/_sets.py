@@ -7,7 +7,7 @@ import json
 import os
 import resource
 from dataclasses import dataclass, field, fields
-from typing import TYPE_CHECKING, Any, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, Iterable, Iterator, Mapping
 
 import numpy as np
 
@@ -277,9 +277,20 @@ class PointSet(HasPoints):
               ((x - x0) / width * columns).astype(int)] = True  # fmt: skip
         return taken
 
-    def _names_of_points(self) -> list[str] | None:
-        """The name of each point's class."""
-        return None if self.class_of is None else [self.classes[place] for place in self.class_of]
+    def _names_of_points(self, classes: dict[str, Any]) -> Iterable[object] | None:
+        """The name of each point's class, or its place among these classes if they are its own."""
+        if self.class_of is None or list(self.classes) == classes["class_names"]:
+            return self.class_of
+        return [self.classes[place] for place in self.class_of]
+
+    @property
+    def radii_of_classes(self) -> Floats | None:
+        """With classes: the radius of each point's object, half the distance that two of its class
+        keep; with a field where importance is 1. Otherwise None."""
+        if self.class_of is None or self.distances is None:
+            return None
+        radii: Floats = (np.diag(self.distances) / 2)[self.class_of]
+        return radii
 
     def _saved(self) -> dict[str, Any]:
         return {
@@ -289,6 +300,8 @@ class PointSet(HasPoints):
             "least_radius": self.radius,
             "scale": self.scale or 0.0,
             "classes": list(self.classes),
+            "radii_of_classes": [] if self.distances is None
+            else (np.diag(self.distances) / 2).tolist(),
             # A relaxed set has kept no distance: mode stratified says so.
             "mode": self.mode if self.relaxed is None else "stratified",
             "seed": self.seed,

@@ -309,7 +309,7 @@ def verify(
     kinds = classes_of(classes, between)
     of_points: Iterable[object] | None = None
     if isinstance(points, PointSet) and points.distances is not None:
-        of_points = points._names_of_points() if kinds else points.class_of
+        of_points = points._names_of_points(kinds) if kinds else points.class_of
         kinds = kinds or {
             "class_names": list(points.classes),
             "distances": points.distances.ravel().tolist(),
@@ -353,7 +353,7 @@ def verify(
     kept, of_kept = np.empty((0, 2)), None
     if keep is not None:
         kept = points_array("keep", keep)
-        names = keep._names_of_points() if isinstance(keep, PointSet) and kinds else None
+        names = keep._names_of_points(kinds) if isinstance(keep, PointSet) and kinds else None
         of_kept = classes_of_points("keep_classes", keep_classes, names, kinds, kept)
     elif own:
         kept = np.vstack([array[: own["kept"]], own["neighbours"]])

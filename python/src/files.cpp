@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "arrays.h"
+#include "checks/classes.h"
 #include "drawing/picture.h"
 #include "files/formats.h"
 #include "options.h"
@@ -75,6 +76,8 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, const nb::d
     read(saved, "is_relaxed", is_relaxed);
     read(saved, "layers", layers);
     read(saved, "classes", classes);
+    std::vector<double> radii_of_classes;
+    read(saved, "radii_of_classes", radii_of_classes);
     std::string on_pixels, paper_colour = "white";
     read(saved, "on_pixels", on_pixels);
     read(saved, "paper_colour", paper_colour);
@@ -110,6 +113,10 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, const nb::d
         set.layer_of_point = of_points;
         set.layers_are = files::LayersAre::classes;
     }
+    std::vector<files::Column> columns;
+    if (has_sizes({.names = classes}))
+        columns.push_back(files::radius_of_each(of_points, radii_of_classes));
+    set.more = columns;
     set.layers = its_layers;
     const std::vector<Ellipse> ellipses = ellipses_in(ellipse_array);
     set.ellipses = ellipses;

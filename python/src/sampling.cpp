@@ -9,6 +9,7 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/string_view.h>
+#include <nanobind/stl/tuple.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -23,6 +25,7 @@
 #include "checks/classes.h"
 #include "options.h"
 #include "options/chunk.h"
+#include "options/classes.h"
 #include "options/settle.h"
 #include "outlines.h"
 #include "parts.h"
@@ -311,6 +314,17 @@ nb::object ranks_of_mask(std::uint32_t columns, std::uint32_t rows, std::uint64_
     return array_of(std::move(mask.ranks));
 }
 
+// The name, radius, weight and number of points of each size of a class, as --class reads them.
+auto sizes_of_class(const std::string& text, const std::string& between, bool by_priority) {
+    const Classes classes = options::read_classes({{text}, between, by_priority}, nullptr);
+    const std::size_t sizes = classes.names.size();
+    std::vector<std::tuple<std::string, double, double, std::optional<std::uint64_t>>> all;
+    for (std::size_t i = 0; i < sizes; ++i)
+        all.emplace_back(classes.names[i], classes.distances[i * (sizes + 1)] / 2,
+                         classes.weights[i], classes.counts[i]);
+    return all;
+}
+
 }  // namespace
 
 void add_sampling(nb::module_& module) {
@@ -323,6 +337,7 @@ void add_sampling(nb::module_& module) {
                [](const std::vector<double>& radii) { return distances_by_sum(radii); });
     module.def("distances_by_union",
                [](const std::vector<double>& radii) { return distances_by_union(radii); });
+    module.def("sizes_of_class", sizes_of_class);
     module.def("make_field", make_field);
     module.def("ellipse_field", field_of_ellipses);
     module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none(),

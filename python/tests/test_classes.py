@@ -167,3 +167,21 @@ def test_polygons_of_classes_hold_their_points_alone() -> None:
     of_all = lacuna.sample(classes=kinds, inside={None: wet}, domain=(1, 1), seed=2)
     same = lacuna.sample(classes=kinds, inside=wet, domain=(1, 1), seed=2)
     assert (of_all.points == same.points).all()
+
+
+def test_a_range_of_radii_is_a_kind_of_several_sizes(tmp_path):
+    kinds = {"trees": ("0.04..0.08/5", 2), "grass": 0.01}
+    made = lacuna.sample(classes=kinds, seed=3)
+    assert made.classes == ("trees",) * 5 + ("grass",)
+    sizes = np.array([0.04, 0.05, 0.06, 0.07, 0.08, 0.01])
+    assert np.allclose(made.radii_of_classes, sizes[made.class_of])
+    assert lacuna.verify(made)
+    assert lacuna.verify(made.points, classes=kinds, class_of=made.class_of)
+    kept = lacuna.sample(classes=kinds, keep=made, seed=4)
+    assert np.array_equal(kept.class_of, made.class_of)
+    made.save(tmp_path / "a.csv")
+    with open(tmp_path / "a.csv") as file:
+        assert file.readline() == "x,y,radius,class\n"
+    refused(BadRequest, "keep_classes", lacuna.sample, classes=kinds, keep=[(0.5, 0.5)], keep_classes=["trees"])
+    refused(BadRequest, "classes", lacuna.sample, classes={"a": "3..1"})
+    refused(BadRequest, "classes", lacuna.sample, classes={"a": "1..3"}, between=[[1]])

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -196,6 +198,47 @@ TEST_F(Placement, OfClassesIsInFiles) {
     expect_success({"sample", "--quiet", "--stretch", "0.3:0.03@0", "-o", path("svg")});
     // A third of the radii: of 512 points.
     expect_has(content_of(path("svg")), {"a51.2 5.12 0 1 0 102.4000 0.0000"});
+}
+
+// A kept object has the size that its radius says, and keeps it when its file is written again.
+TEST_F(Placement, OfSizesHasTheRadiusOfEachObject) {
+    const Words kinds{"--class", "trees:0.04..0.08/5", "--class", "grass:0.01"};
+    const auto path = [&](const std::string& name) { return folder_.path(name); };
+    const auto sample = [&](const Words& more) {
+        return joined(joined({"sample", "--seed", "3"}, kinds), more);
+    };
+    const std::string json = path("a.json");
+    EXPECT_EQ(
+        run(sample({"-o", path("a.csv"), "-o", path("a.ply"), "-o", path("a.geojson"), "-o", json}))
+            .err.find("(trees 0"),
+        std::string::npos);
+    const files::PointsOfFile set = files::read_points(json);
+    EXPECT_EQ(Json::parse(content_of(json))["options"]["class_names"],
+              (Words{"trees", "trees", "trees", "trees", "trees", "grass"}));
+    for (std::size_t i = 0; i < set.radii.size(); ++i) {
+        constexpr std::array<double, 6> kRadii{0.04, 0.05, 0.06, 0.07, 0.08, 0.01};
+        ASSERT_NEAR(set.radii[i], kRadii[set.classes.of_point[i]], 1e-9);
+    }
+    EXPECT_EQ(set.radii.size(), set.points.size());
+    expect_success({"verify", json});
+    for (const char* const name : {"a.csv", "a.ply", "a.geojson"}) {
+        SCOPED_TRACE(name);
+        expect_success(joined({"verify", path(name)}, kinds));
+        const std::string kept = path("kept.json");
+        expect_success(sample({"--quiet", "--keep", path(name), "-o", kept}));
+        EXPECT_EQ(files::read_points(kept).classes.of_point, set.classes.of_point);
+        const std::string ordered = path(std::string("ordered-") + name);
+        expect_success({"order", path(name), "--quiet", "-o", ordered});
+        expect_success(joined({"verify", ordered}, kinds));
+    }
+    const std::string wrong = file("wrong.csv", "x,y,radius,class\n0.5,0.5,0.045,trees\n");
+    expect_has(
+        run(sample({"--keep", wrong, "-o", path("b.csv")})).err,
+        {"point 0 of the class trees has the radius 0.045: must be that of one of its sizes"});
+    const std::string none = file("none.csv", "x,y,class\n0.5,0.5,trees\n");
+    expect_has(run(sample({"--keep", none, "-o", path("b.csv")})).err, {"needs a column radius"});
+    expect_has(run({"relax", path("a.csv"), "--dot-size", "2mm", "-o", path("b.csv")}).err,
+               {"the column radius would be lost"});
 }
 
 TEST_F(Placement, OfNumbersOfClassesIsReadStrictly) {

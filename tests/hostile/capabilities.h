@@ -39,7 +39,7 @@ inline const Tables kSampling{
     {
         {"mode", {"exact", "lines", "cells", "stratified", "pixels"}},
         {"radii", {"one", "field", "ellipses"}},
-        {"classes", {"none", "sum", "union", "given"}},
+        {"classes", {"none", "sum", "union", "given", "sizes"}},
         {"mask", {"no", "yes", "of classes"}},
         {"inside", {"no", "yes"}},
         {"outside", {"no", "yes"}},

@@ -54,7 +54,9 @@ inline const double* numbers_of(std::span<const Point> points) {
 // Whether options can express the request.
 inline bool fits_lacuna_h(const Made& made) {
     const Request& request = made.request;
-    return !made.is(kRadii, "ellipses") && !made.is(kClasses, "given") &&
+    // An option of a border is for all sizes of a kind.
+    const bool has_borders_of_sizes = made.is(kClasses, "sizes") && !request.places.borders.empty();
+    return !made.is(kRadii, "ellipses") && !made.is(kClasses, "given") && !has_borders_of_sizes &&
            !made.is(kMask, "of classes") && made.frame == 0 &&
            (made.is(kClasses, "none") || !made.is(kSize, "given")) &&
            request.mode != Mode::stratified && request.mode != Mode::cells;

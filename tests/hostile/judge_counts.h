@@ -97,8 +97,11 @@ inline void judge_priority(Made& made, const std::vector<std::string>& names, Ra
         if (std::count(classes.weights.begin(), classes.weights.end(), 0) ==
             static_cast<std::ptrdiff_t>(classes.weights.size()))
             break;
+        const bool is_kind =
+            last + 1 == classes.names.size() || classes.names[last] != classes.names[last + 1];
         for (const Result& result : answer.sets)
-            judge_set(made, without_later(result, last, made.keep.size()), random, counts);
+            if (is_kind)
+                judge_set(made, without_later(result, last, made.keep.size()), random, counts);
         classes.weights[last] = 0;
     }
 }

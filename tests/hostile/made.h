@@ -54,7 +54,8 @@ struct Made {
     void scale_classes(double by) {
         for (double& radius : radii) radius *= by;
         for (double& distance : request.classes.distances) distance *= by;
-        if (is(kClasses, "sum")) request.classes.distances = distances_by_sum(radii);
+        if (is(kClasses, "sum") || is(kClasses, "sizes"))
+            request.classes.distances = distances_by_sum(radii);
         if (is(kClasses, "union")) request.classes.distances = distances_by_union(radii);
     }
     bool is_moved() const { return moves.iterations != 0 || moves.gaussian != 0; }

@@ -129,8 +129,11 @@ inline void choose_classes(Chooser& choose, Made& made, double ratio) {
     Classes& classes = made.request.classes;
     const std::size_t count = 2 + choose.below(choose.one_in(4) ? 15 : 3);
     for (std::size_t i = 0; i < count; ++i) {
-        classes.names.push_back("class-" + std::to_string(i));
         made.radii.push_back(choose.power(1, ratio));
+        const double* const first = std::find(made.radii.data(), &made.radii.back(), made.radii[i]);
+        const bool is_size =
+            made.is(kClasses, "sizes") && i > 0 && first == &made.radii.back() && !choose.one_in(3);
+        classes.names.push_back(is_size ? classes.names.back() : "class-" + std::to_string(i));
     }
     if (made.is(kClasses, "given")) {
         made.radii.clear();

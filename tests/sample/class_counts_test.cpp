@@ -152,4 +152,40 @@ TEST(ClassesByPriority, EndAtTheirNumbersAndAreProvenBesideKeptPoints) {
     expect_proven(request, set);
 }
 
+// Two sizes of trees, then grass: the sizes of a kind are drawn together, and each is full before
+// grass begins.
+TEST(ClassesByPriority, HaveTheSizesOfAKindTogether) {
+    Request request = wood();
+    request.classes.names = {"trees", "trees", "grass"};
+    request.classes.by_priority = true;
+    for (const bool has_numbers : {false, true}) {
+        if (has_numbers) request.classes.counts = {5, 9, {}};
+        const Result set = sample(request);
+        const auto first_grass = std::find(set.classes.begin(), set.classes.end(), kGrass);
+        EXPECT_EQ(std::count(first_grass, set.classes.end(), kGrass),
+                  set.classes.end() - first_grass);
+        EXPECT_FALSE(std::is_sorted(set.classes.begin(), first_grass));
+        if (has_numbers) {
+            EXPECT_EQ(points_of(kTrees, set), 5U);
+            EXPECT_EQ(first_grass - set.classes.begin(), 14);
+        }
+        expect_proven(request, set);
+    }
+    // Without the larger trees there is room for smaller ones, beside all grass.
+    request.classes.counts.clear();
+    const Result set = sample(request);
+    Claim claim = claim_of(request, set);
+    std::vector<Point> points;
+    std::vector<std::uint8_t> kinds;
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        if (set.classes[i] == kTrees) continue;
+        points.push_back(set.points[i]);
+        kinds.push_back(set.classes[i]);
+    }
+    claim.class_of_points = kinds;
+    EXPECT_FALSE(prove(points, claim).covered);
+    request.classes.names = {"trees", "grass", "trees"};
+    EXPECT_THROW(sample(request), BadRequest);
+}
+
 }  // namespace

@@ -1,5 +1,6 @@
 // The options of `lacuna sample`, and its run.
 #include "base/number_text.h"
+#include "checks/classes.h"
 #include "cli/commands/commands.h"
 #include "cli/commands/sample_space.h"
 
@@ -100,6 +101,12 @@ void run(const CommandLine& line, SampleCommand all) {
     check_ellipse_columns(all.ellipse_columns, outputs);
     DomainFiles files;
     read_domain_files(line, all.domain, request, files);
+    const auto has_dots = [](const Output& output) { return !output.format.medium.has_value(); };
+    if (has_sizes(request.classes) && all.drawing.are_given &&
+        std::any_of(outputs.begin(), outputs.end(), has_dots))
+        throw BadRequest("class", "of several sizes",
+                         "files have their radii in the column that dots have, too: give "
+                         "--dot-size, --paper-size and --dpi for pictures alone");
     const Showing showing{all.ellipse_columns, all.domain.ellipses.are_given(),
                           read_columns(all.columns, outputs)};
     if (all.seeds) {

@@ -104,6 +104,29 @@ std::vector<double> read_matrix(const std::string& path, const std::vector<std::
     return matrix_of_csv(std::move(bytes), name, names);
 }
 
+namespace {
+
+// The class of a point of the file, among those of its kind: the one that has its radius.
+std::size_t size_among(const files::PointsOfFile& file, std::size_t point, const Classes& classes,
+                       const KindOfClass& kind, const std::string& name) {
+    constexpr double kRounded = 1e-6;  // files of other programs have few digits
+    const std::string& own = classes.names[kind.first];
+    if (kind.first == kind.last) return kind.first;
+    if (file.radii.empty())
+        throw files::FileError(fmt::format(
+            "{}: needs a column radius, because the class {} has several sizes", name, own));
+    for (std::size_t i = kind.first; i <= kind.last; ++i) {
+        const double radius = classes.distances[i * (classes.names.size() + 1)] / 2;
+        if (std::abs(radius - file.radii[point]) <= kRounded * radius) return i;
+    }
+    throw files::FileError(
+        fmt::format("{}: point {} of the class {} has the radius {}: must be "
+                    "that of one of its sizes",
+                    name, point, own, shortest(file.radii[point])));
+}
+
+}  // namespace
+
 std::pair<std::string, std::string> class_and_path(const std::string& text,
                                                    const std::vector<std::string>& names) {
     const std::size_t colon = std::min(text.find(':'), text.size());
@@ -139,22 +162,23 @@ std::vector<std::uint8_t> classes_in(const files::PointsOfFile& file, const Clas
         throw files::FileError(name +
                                ": its points have no class: with --class a .csv needs a column "
                                "class with names, as lacuna writes it");
-    std::vector<std::uint8_t> places;
+    // Numbers are places of the options, in their order.
+    const bool has_places = file.classes.are_numbers || file.classes.names == classes.names;
+    std::vector<KindOfClass> kinds;
     for (const std::string& one : file.classes.names) {
-        // Numbers are places of the options, in their order.
-        const std::size_t number = places.size();
-        const auto found = file.classes.are_numbers
-                               ? classes.names.begin() + static_cast<std::ptrdiff_t>(
-                                                             std::min(number, classes.names.size()))
-                               : std::find(classes.names.begin(), classes.names.end(), one);
-        if (found == classes.names.end())
+        const auto found = std::find(classes.names.begin(), classes.names.end(), one);
+        const std::size_t place =
+            has_places ? kinds.size() : static_cast<std::size_t>(found - classes.names.begin());
+        if (place >= classes.names.size())
             throw files::FileError(fmt::format(
                 "{}: has points of the class {}, which no --class names", name, shown(one)));
-        places.push_back(static_cast<std::uint8_t>(found - classes.names.begin()));
+        kinds.push_back(has_places ? KindOfClass{place, place} : kind_of(classes, place));
     }
     std::vector<std::uint8_t> of_points;
     of_points.reserve(file.classes.of_point.size());
-    for (const std::uint8_t one : file.classes.of_point) of_points.push_back(places[one]);
+    for (const std::uint8_t one : file.classes.of_point)
+        of_points.push_back(static_cast<std::uint8_t>(
+            size_among(file, of_points.size(), classes, kinds[one], name)));
     return of_points;
 }
 

@@ -67,8 +67,12 @@ Finished make(const CommonOptions& options, options::Moves moves) {
 
 std::string words_of(std::span<const files::Layer> layers) {
     std::string text;
-    for (const files::Layer& one : layers)
-        text += fmt::format("{}{} {}", text.empty() ? " (" : ", ", one.ink.name, one.dots);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const std::string& name = layers[i].ink.name;
+        std::uint64_t dots = layers[i].dots;  // of all sizes of a kind
+        while (i + 1 < layers.size() && layers[i + 1].ink.name == name) dots += layers[++i].dots;
+        text += fmt::format("{}{} {}", text.empty() ? " (" : ", ", name, dots);
+    }
     return text.empty() ? "" : text + ")";
 }
 

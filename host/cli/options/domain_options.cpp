@@ -174,10 +174,11 @@ void take_masks(const std::vector<std::string>& names, const DomainFiles& files,
     masks.clear();
     for (const auto& [own, mask] : files.pictures) {
         if (own.empty()) continue;
-        const auto found = std::find(names.begin(), names.end(), own);
-        if (found == names.end()) throw BadRequest("mask", own, "is no class of this set");
+        if (std::find(names.begin(), names.end(), own) == names.end())
+            throw BadRequest("mask", own, "is no class of this set");
         masks.resize(names.size());
-        masks[static_cast<std::size_t>(found - names.begin())] = &mask;
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (names[i] == own) masks[i] = &mask;
     }
 }
 

@@ -86,6 +86,11 @@ GivenColumns::GivenColumns(const GivenSet& set, const SetAndField& given,
                                            : "give a file without it; x, y, class, ink, a, b and "
                                              "angle are written again"));
     }
+    if (!given.file.radii.empty() && drawing.are_given)
+        refuse(set,
+               "the column radius would be lost: --dot-size and --paper-size write the radii "
+               "of dots");
+    if (!given.file.radii.empty()) more_.push_back({"radius", given.file.radii});
     if (!ellipses_.empty() && !can_have_ellipses)
         refuse(set,
                "the columns a, b and angle would be lost: relaxing has disks, because an "
@@ -115,6 +120,7 @@ void GivenColumns::put_in_order(std::span<const std::uint32_t> order) {
     };
     ordered(layer_of_point_);
     ordered(ellipses_);
+    for (files::Column& column : more_) ordered(column.values);
 }
 
 void GivenColumns::add_to(files::PointSet& set) const {
@@ -122,6 +128,7 @@ void GivenColumns::add_to(files::PointSet& set) const {
     set.layer_of_point = layer_of_point_;
     set.layers_are = layers_are_;
     set.ellipses = ellipses_;
+    set.more = more_;
     set.writes_ellipses = !ellipses_.empty();
 }
 

@@ -66,6 +66,7 @@ private:
     std::vector<std::uint8_t> layer_of_point_;
     files::LayersAre layers_are_ = files::LayersAre::classes;
     std::vector<Ellipse> ellipses_;
+    std::vector<files::Column> more_;
 };
 
 }  // namespace lacuna::cli

@@ -3,9 +3,24 @@
 
 #include <cmath>
 
+#include "checks/classes.h"
 #include "cli/options/domain_options.h"
 
 namespace lacuna::cli {
+
+namespace {
+
+// Half of the distance that two of each class keep.
+std::vector<double> radii_of(const Request& request, const Result& result) {
+    std::vector<double> radii;
+    const std::size_t count = request.classes.names.size();
+    for (std::size_t i = 0; i < count; ++i)
+        radii.push_back(distance_factor(request, result) / 2 *
+                        request.classes.distances[i * (count + 1)]);
+    return radii;
+}
+
+}  // namespace
 
 MadeSet::MadeSet(const Request& request, const Result& result, const files::Origin& origin,
                  const Showing& showing)
@@ -16,6 +31,8 @@ MadeSet::MadeSet(const Request& request, const Result& result, const files::Orig
       is_sized_by_radii_(showing.is_sized_by_radii),
       more_(values_of(showing.columns, request.seed, result.points.size())),
       set_{result.points, request.domain, result.radius, &origin} {
+    if (has_sizes(request.classes))
+        more_.push_back(files::radius_of_each(result.classes, radii_of(request, result)));
     set_.more = more_;
     set_.on_pixels = request.on_pixels;
     set_.ellipses = ellipses_;

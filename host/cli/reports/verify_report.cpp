@@ -93,6 +93,18 @@ std::string radius(const SetClaim& claim) {
     return fmt::format("{} to {}, at scale {}", least, most, claim.scale);
 }
 
+// The names of kinds, with the number of sizes where a kind has several.
+std::vector<std::string> kinds(const Classes& classes) {
+    std::vector<std::string> kinds;
+    for (std::size_t i = 0; i < classes.names.size(); ++i) {
+        const std::size_t last = kind_of(classes, i).last;
+        kinds.push_back(classes.names[i] +
+                        (last > i ? fmt::format(" in {} sizes", last - i + 1) : ""));
+        i = last;
+    }
+    return kinds;
+}
+
 // How many of the kept points are neighbours.
 std::string outside_of(const SetClaim& claim) {
     const verify::Outside outside(claim);
@@ -110,7 +122,7 @@ std::string places(const SetClaim& claim) {
     };
     if (!given.field.path.empty()) append("field", printable(given.field.path));
     if (!claim.classes.names.empty())
-        append("classes", printable(fmt::format("{}", fmt::join(claim.classes.names, ", "))));
+        append("classes", printable(fmt::format("{}", fmt::join(kinds(claim.classes), ", "))));
     for (const std::string& path : given.mask) append("mask", printable(path));
     const auto append_polygons = [&](std::string_view name, const std::vector<std::string>& paths) {
         for (const std::string& path : paths)
@@ -177,7 +189,7 @@ std::string kind(const SetClaim& claim) {
                            ? fmt::format(" that follows the field at scale {}", claim.scale)
                            : fmt::format(" of radius {}", claim.radius);
     if (!claim.classes.names.empty())
-        kind = fmt::format(" of {} classes{}{}", claim.classes.names.size(),
+        kind = fmt::format(" of {} classes{}{}", kinds(claim.classes).size(),
                            claim.classes.by_priority ? ", each beside those before it" : "",
                            has_counts(claim.classes) ? " with their numbers of points" : "");
     if (claim.places.mask != nullptr || !claim.places.masks.empty() ||

@@ -79,7 +79,11 @@ std::vector<Ellipse> ellipses_of(std::span<const Point> points, const Field& fie
 // Kinds of points in one set, such as trees, bushes and grass. Every two kinds have a least
 // distance of their own (Wei 2010, "Multi-class Blue Noise Sampling").
 struct Classes {
-    std::vector<std::string> names{};  // 1 to 16, all different, without spaces, commas or colons
+    // 1 to 16, without spaces, commas or colons. Classes of one name, which follow each other and
+    // keep unlike distances within themselves, are objects of one kind in several sizes. A border,
+    // a mask and an outline of that name are for all sizes, and by priority they are drawn
+    // together.
+    std::vector<std::string> names{};
     // The least distance of each two classes, row by row: a symmetric matrix of names.size()^2
     // values >= 0, on its diagonal > 0. 0 means that the two classes ignore each other. The
     // greatest may be 4000 times the least that is not 0. See distances_by_sum and
