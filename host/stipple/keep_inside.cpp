@@ -42,17 +42,27 @@ double nearest_in_pixel(double from, std::int64_t pixel, double side) {
     return std::clamp(from, edge, edge + side);
 }
 
-// A place on the dark pixel of a dot that lies on its edge, where white begins: half way to the
-// middle of the pixel. Nothing if the pixel is white itself.
+// A place on a dark pixel of a dot that lies on its edge, where white begins: half way to the
+// middle of the pixel. On an edge or a corner rounding decides which pixel the dot is on, so the
+// dark one may be any of those around it. Nothing if all of these are white.
 std::optional<Point> off_the_edge(Point from, const White& white) {
-    if (importance_at(from, white.field, white.domain) == 0) return std::nullopt;
+    constexpr double kBeside = 1e-6;  // of a pixel
     const auto towards_middle = [](double at, double side, std::uint32_t pixels) {
         const double step = side / pixels;
         const double middle = (std::min(std::floor(at / step), pixels - 1.0) + 0.5) * step;
         return (at + middle) / 2;
     };
-    return Point{towards_middle(from.x, white.domain.width, white.field.columns),
-                 towards_middle(from.y, white.domain.height, white.field.rows)};
+    const double width = white.domain.width, height = white.domain.height;
+    for (const int right : {0, -1, 1})
+        for (const int up : {0, -1, 1}) {
+            const Point at{
+                std::clamp(from.x + right * kBeside * width / white.field.columns, 0., width),
+                std::clamp(from.y + up * kBeside * height / white.field.rows, 0., height)};
+            const Point inner{towards_middle(at.x, width, white.field.columns),
+                              towards_middle(at.y, height, white.field.rows)};
+            if (importance_at(inner, white.field, white.domain) != 0) return inner;
+        }
+    return std::nullopt;
 }
 
 // Moves a dot of this radius. Each step goes straight away from the nearest white, as far as the

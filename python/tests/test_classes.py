@@ -182,6 +182,6 @@ def test_a_range_of_radii_is_a_kind_of_several_sizes(tmp_path):
     made.save(tmp_path / "a.csv")
     with open(tmp_path / "a.csv") as file:
         assert file.readline() == "x,y,radius,class\n"
-    refused(BadRequest, "keep_classes", lacuna.sample, classes=kinds, keep=[(0.5, 0.5)], keep_classes=["trees"])
-    refused(BadRequest, "classes", lacuna.sample, classes={"a": "3..1"})
-    refused(BadRequest, "classes", lacuna.sample, classes={"a": "1..3"}, between=[[1]])
+    refused(lacuna.BadRequest, "keep_classes", lacuna.sample, classes=kinds, keep=[(0.5, 0.5)], keep_classes=["trees"])
+    refused(lacuna.BadRequest, "classes", lacuna.sample, classes={"a": "3..1"})
+    refused(lacuna.BadRequest, "classes", lacuna.sample, classes={"a": "1..3"}, between=[[1]])

@@ -184,5 +184,28 @@ TEST(KeepInsideDots, ThatBeganOnWhiteStayThere) {
     EXPECT_EQ(points[0].x, 0.75);
 }
 
+// Rounding may put a dot on a corner of its pixel beside it, on white.
+TEST(KeptInside, ADotOnACornerOfItsPixelHasASize) {
+    for (std::uint32_t pixels = 3; pixels < 40; ++pixels) {
+        Field field{
+            .columns = pixels, .rows = pixels, .importance = std::vector<double>(pixels * pixels)};
+        const White white{field, {.width = 1, .height = 13. / 14}};
+        for (std::uint32_t i = 1; i + 1 < pixels; ++i) {
+            field.importance.assign(pixels * pixels, 0);
+            field.importance[i * pixels + i] = 1;
+            for (const double right : {-0.5, 0.5})
+                for (const double up : {-0.5, 0.5}) {
+                    const Point middle = in_white(white, i, i);
+                    std::vector<Point> points{{middle.x + right * white.domain.width / pixels,
+                                               middle.y + up * white.domain.height / pixels}};
+                    std::vector<double> diameters{1. / pixels};
+                    pull_inside(points, diameters, white);
+                    fit_inside(points, diameters, white);
+                    ASSERT_GT(diameters[0], 0) << i << " of " << pixels;
+                }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace lacuna::stippling
