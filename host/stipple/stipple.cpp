@@ -61,6 +61,28 @@ public:
 
     void run() {
         choose_count();
+        make();
+        // Strokes may take longer than expected, because those that cross are longer, and so are
+        // the ways between long ones. About half of the time does not depend on their number.
+        constexpr int kTrials = 4;
+        for (int trial = 0; trial < kTrials && has_strokes_in_time(); ++trial) {
+            const double part = *options_.plot_seconds / made_.plot_seconds;
+            if (part >= 1) break;
+            request().count = std::max<std::uint64_t>(
+                1, static_cast<std::uint64_t>(static_cast<double>(made_.result.points.size()) *
+                                              part * part));
+            request().scale.reset();
+            make();
+        }
+        made_.layers = std::move(layers_);
+        request().field = nullptr;
+    }
+
+private:
+    bool has_strokes_in_time() const { return made_.are_strokes && options_.plot_seconds; }
+
+    void make() {
+        made_.admitted_length = 0;
         place();
         if (options_.keep_inside) {
             stippling::pull_inside(tones_, dots(), style_, made_.result.points);
@@ -79,11 +101,8 @@ public:
         find_sizes();
         make_room();
         if (has_pen) stippling::plot(made_, dots(), options_.plotter, mm_);
-        made_.layers = std::move(layers_);
-        request().field = nullptr;
     }
 
-private:
     Request& request() { return made_.request; }
 
     files::PointSet dots() {

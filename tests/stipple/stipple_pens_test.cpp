@@ -99,6 +99,10 @@ TEST(Stippling, ForATimeIsDrawnInAtMostThatTimeAndNotMuchLess) {
         }
     strokes.plot_seconds = 600;
     expect(strokes, 0.8);
+    // Long strokes are further apart than dots, and those that cross are longer.
+    strokes.paper = Paper{400, 400, 10};
+    strokes.plot_seconds = 2000;
+    expect(strokes, 0.8);
 }
 
 TEST(Stippling, WithTimeForMoreThanThePictureNeedsHasWhatItNeeds) {
