@@ -65,6 +65,7 @@ if(LACUNA_EXTRAS)
         set(lacuna_extras_pc_requires fmt tbb cairo zlib libcrypto libpng libjpeg libtiff-4 libwebp polyclipping pugixml)
         list(JOIN lacuna_extras_pc_requires " " lacuna_extras_pc_requires)
         list(TRANSFORM lacuna_extras_libraries PREPEND -l OUTPUT_VARIABLE lacuna_extras_pc_libs)
+        list(APPEND lacuna_extras_pc_libs -lstdc++ -lm)  # which a C compiler does not link by itself
         list(JOIN lacuna_extras_pc_libs " " lacuna_extras_pc_libs)
     endif()
     install(TARGETS lacuna_extras ${lacuna_extras_installed} EXPORT lacuna-extras-targets

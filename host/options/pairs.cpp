@@ -58,7 +58,6 @@ constexpr Pairs kPairs[] = {
     {kSample, "radius scale", Needs::none_of, "class", "each class has a radius of its own"},
     {kSample | kVerify, "edge", Needs::one_of, kOutlines,
      "is for the outlines in these files: give one too"},
-    {kSample | kVerify, "mask", Needs::none_of, kOutlines, "draw these into the picture"},
     {kSample | kVerify, "inside-by-radius", Needs::none_of, "border", "both say how far to stay"},
     {kSample, "inside-by-radius", Needs::none_of, "on-pixels", "its samples keep no distance"},
     {kSample | kVerify, "inside-by-radius", Needs::none_of, "count",

@@ -145,9 +145,12 @@ Domain domain_around(const Places& places, const Field* field) {
     const auto shape_of = [](const Mask& mask) {
         return mask.extent ? *mask.extent : domain_like(mask.columns, mask.rows);
     };
-    if (places.mask != nullptr) return shape_of(*places.mask);
+    const auto decides = [&](const Mask* mask) {
+        return mask != nullptr && (mask->extent || places.outlines.empty());
+    };
+    if (decides(places.mask)) return shape_of(*places.mask);
     for (const Mask* const mask : places.masks)
-        if (mask != nullptr) return shape_of(*mask);
+        if (decides(mask)) return shape_of(*mask);
     Extent all;
     for (const Outline& outline : places.outlines) {
         if (outline.polygons.page) return *outline.polygons.page;

@@ -11,6 +11,7 @@
 
 #include "checks/classes.h"
 #include "checks/pixels.h"
+#include "places/mask_outlines.h"
 #include "places/part.h"
 #include "places/sets.h"
 #include "plan/checked_request.h"
@@ -129,17 +130,15 @@ Resolved resolve(const Request& given) {
     Resolved resolved{.request = given};
     Request& request = resolved.request;
     if (request.places.border_by_radius) take_border(request);
+    const Classes& classes = request.classes;
+    resolved.masks = places::cut_masks(request.domain, request.places);
+    places::turn_masks_into_outlines(request.domain, classes, request.places);
     const Places places = request.places;
     request.places = {.mask = places.mask,
                       .border = places.border,
                       .borders = places.borders,
                       .masks = places.masks};
-    resolved.masks = places::cut_masks(request.domain, request.places);
     if (places.outlines.empty()) return resolved;
-    const Classes& classes = request.classes;
-    if (places.mask != nullptr || !places.masks.empty())
-        throw BadRequest("mask", "with " + std::string(name_of(places.outlines.front().role)),
-                         "draw these into the picture");
     if (!classes.names.empty() && !request.count) check_distances(classes);
     take_size_of_classes(request);
     const places::Sets sets(places, request.domain, classes);

@@ -9,6 +9,7 @@
 #include "base/polling.h"
 #include "checks/classes.h"
 #include "checks/numbers.h"
+#include "places/mask_outlines.h"
 #include "places/part.h"
 
 namespace lacuna {
@@ -189,11 +190,15 @@ std::shared_ptr<const Claim> settled(const Claim& given) {
         Claim claim;
         std::shared_ptr<const std::vector<Mask>> masks;
     };
-    const bool has_edge = given.places.edge || given.places.outlines.empty();
-    if (has_edge && !given.places.border_by_radius && !has_extents(given.places)) return nullptr;
+    const Places& places = given.places;
+    const bool has_edge = places.edge || places.outlines.empty();
+    const bool has_both =
+        !places.outlines.empty() && (places.mask != nullptr || !places.masks.empty());
+    if (has_edge && !places.border_by_radius && !has_extents(places) && !has_both) return nullptr;
     const auto owner = std::make_shared<Owner>(Owner{given, nullptr});
     const std::shared_ptr<Claim> claim(owner, &owner->claim);
     owner->masks = cut_masks(given.domain, claim->places);
+    turn_masks_into_outlines(given.domain, given.classes, claim->places);
     if (given.places.border_by_radius)
         take_border_by_radius(given.radius > 0 ? std::optional(given.radius) : std::nullopt,
                               given.domain, given.classes, claim->places);

@@ -114,7 +114,7 @@ def sample(
         Polygons in which points must lie, and must not lie: outlines of shape (N, 2) in the unit of
         ``domain``, y upwards, or what ``read_polygons`` gives. An outline within another is a hole,
         and outlines that overlap in part are joined. Of several Polygons a point lies in any. With classes also a dict: those of a class by its name, and by None those of all. A
-        class that has ``inside`` of its own lies in that alone. Not with a mask.
+        class that has ``inside`` of its own lies in that alone. Beside a mask points lie where both allow it.
     avoid : list of (Polygons or iterable of array_like, float), optional
         Obstacles: lines, outlines and points, and the distance that points keep from them.
         ``read_lines`` reads them; an array of one row is a point, of two a line, and of more an

@@ -185,3 +185,14 @@ def test_a_range_of_radii_is_a_kind_of_several_sizes(tmp_path):
     refused(lacuna.BadRequest, "keep_classes", lacuna.sample, classes=kinds, keep=[(0.5, 0.5)], keep_classes=["trees"])
     refused(lacuna.BadRequest, "classes", lacuna.sample, classes={"a": "3..1"})
     refused(lacuna.BadRequest, "classes", lacuna.sample, classes={"a": "1..3"}, between=[[1]])
+
+
+def test_a_mask_beside_polygons_allows_what_both_allow():
+    left = np.array([[True, False]])
+    hole = [(0.2, 0.4), (0.4, 0.4), (0.4, 0.6), (0.2, 0.6)]
+    made = lacuna.sample(0.03, mask=left, outside=[hole], domain=(1, 1), seed=1)
+    x, y = made.points.T
+    assert (x < 0.5).all()
+    assert not ((x > 0.2) & (x < 0.4) & (y > 0.4) & (y < 0.6)).any()
+    assert lacuna.verify(made, mask=left, outside=[hole])
+    assert not lacuna.verify(made, outside=[hole])

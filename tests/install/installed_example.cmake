@@ -129,6 +129,17 @@ if(extras)
     if(NOT again STREQUAL dots)
         message(FATAL_ERROR "built by pkg-config the example of the extras made other dots")
     endif()
+
+    # A C program needs no more than these flags.
+    find_program(C_COMPILER cc REQUIRED)
+    run("building the C example by pkg-config" ${C_COMPILER} ${EXAMPLE}/../places/main.c
+        -o ${SCRATCH}/extras/places ${flags})
+    run("running the C example" ${SCRATCH}/extras/places)
+    string(SHA256 hash "${output}")
+    file(READ ${EXAMPLE}/../places/expected.sha256 expected)
+    if(NOT expected MATCHES "^${hash} ")
+        message(FATAL_ERROR "the C example built by pkg-config made other points")
+    endif()
 endif()
 
 # The installed command, asked for the same, starts with the same point.

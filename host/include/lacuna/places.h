@@ -77,8 +77,8 @@ struct Outline {
 
 struct Places {
     std::vector<Outline> outlines{};
-    // In place of outlines: points lie on pixels of the mask that are not 0. It must outlive the
-    // call.
+    // Points lie on pixels of the mask that are not 0. Beside outlines the pixels' edges are
+    // outlines, too, from which no border is kept. It must outlive the call.
     const Mask* mask = nullptr;
     // Least distance of points to each edge of the domain, in its unit; in a box only, and under
     // half of its shorter side. 0: points lie up to the edges. Outlines whose distance is not given
@@ -100,8 +100,8 @@ struct Places {
 
 struct Field;  // lacuna/sample.h
 
-// The domain of places for which none is given. A field or, without one, a mask gives it the shape
-// of its pixels, with a longer side of 1. Else it is the first page of the outlines; else 1 x 1, or
+// The domain of places for which none is given. A field or, without one, a mask that has an extent
+// or is alone gives it the shape of its pixels, with a longer side of 1. Else it is the first page of the outlines; else 1 x 1, or
 // from (0, 0) to the farthest corner of rings that reach beyond it. If they lie far from (0, 0), or
 // beyond it, the box around them where it lies, or a larger square if the box is so small that
 // doubles are too coarse for it there. Throws BadRequest for a box without an area, and for
