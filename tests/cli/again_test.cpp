@@ -33,8 +33,10 @@ TEST(Again, MakesTheSameFileAndSaysWhenThePictureIsMissingOrAnotherOne) {
     EXPECT_EQ(lacuna("again c.json a.svg -o e.svg").err,
               "lacuna: IMAGE a.svg: is for files of lacuna stipple\n");
     EXPECT_EQ(run_in(folder, "mv *.png moved.png").exit_code, 0);
-    EXPECT_EQ(lacuna("again a.svg -o e.svg").err,
-              "lacuna: it's <a> & b.png: No such file or directory\n");
+    EXPECT_EQ(
+        lacuna("again a.svg -o e.svg").err,
+        "lacuna: a.svg: there is no picture it's <a> & b.png, of which it was made: give it as "
+        "IMAGE, after a.svg\n");
     EXPECT_EQ(lacuna("again a.svg moved.png --quiet -o a.csv").err, "");
     EXPECT_TRUE(lacuna("again a.svg " LACUNA_EXAMPLES "/hopper.jpg -o e.svg")
                     .err.find(": is another picture than a.svg was made of: its SHA-256 is ") !=

@@ -200,6 +200,25 @@ TEST_F(Placement, OfClassesIsInFiles) {
     expect_has(content_of(path("svg")), {"a51.2 5.12 0 1 0 102.4000 0.0000"});
 }
 
+// In a chunk outlines lie in the plane, for verify, too; on another domain a page is stretched.
+TEST_F(Placement, OfAPageIsInThePlaneOfChunksAndStretchedElsewhere) {
+    const std::string page = file("page.svg",
+                                  "<svg xmlns='http://www.w3.org/2000/svg' width='100' "
+                                  "height='100'><rect y='80' width='30' height='20'/></svg>");
+    const std::string set = folder_.path("chunk.json");
+    expect_success({"sample", "--quiet", "--chunk", "0,0", "--chunk-size", "40", "--radius", "3",
+                    "--outside", page, "-o", set});
+    expect_success({"verify", set, "--outside", page});
+    for (const Point& point : files::read_points(set).points)
+        EXPECT_FALSE(point.x < 30 && point.y < 20);
+    expect({{{"--radius", "5", "--outside", page, "--domain", "200x100"},
+             {"an SVG page of 100 x 100 is stretched over the domain: 2 times across and 1 times"},
+             {}},
+            {{"--radius", "5", "--outside", page, "--domain", "200x200"}, {}, {}}});
+    EXPECT_EQ(run({"sample", "--radius", "5", "--outside", page, "-o", set}).err.find("stretched"),
+              std::string::npos);
+}
+
 // A kept object has the size that its radius says, and keeps it when its file is written again.
 TEST_F(Placement, OfSizesHasTheRadiusOfEachObject) {
     const Words kinds{"--class", "trees:0.04..0.08/5", "--class", "grass:0.01"};

@@ -30,11 +30,15 @@ TEST(Stipple, WarnsInOneLineOfDotsWithLessThanHalfOfTheInkOrMoreThanTwice) {
     };
     const Names plain{"--relax", "0"};
     const std::string steeper = "; with this ink --gamma 2 keeps more contrast";
+    const auto wider = [&](const std::string& pen) {
+        return steeper + ", and --size-by-tone 0.5 --pen " + pen +
+               " in place of --dot-size draws wider dots with this pen";
+    };
     const std::vector<Case> cases{
         {joined(plain, {"--count", "100", "--dot-size", "1mm"}),
          "100 dots of 1mm have 2.5 % of the picture's ink: about 4060 dots or --dot-size 6.4mm "
          "would suit" +
-             steeper},
+             wider("1mm")},
         {joined(plain, {"--count", "1000", "--dot-size", "4mm"}),
          "1000 dots of 4mm have 426 % of the picture's ink: about 235 dots, --dot-size 1.9mm or "
          "--paper-size A4 would suit"},
@@ -49,7 +53,7 @@ TEST(Stipple, WarnsInOneLineOfDotsWithLessThanHalfOfTheInkOrMoreThanTwice) {
         {joined(plain, {"--count", "1500", "--dot-size", "2mm"}),
          "1500 dots of 2mm have 13 % of the picture's ink: about 12000 dots, --dot-size 5.7mm or "
          "--paper-size A6 would suit" +
-             steeper,
+             wider("2mm"),
          a3},
         {{"--count", "300", "--inks", "black:1mm"},
          "300 dots of these pens have 0.62 % of the picture's ink: about 48300 dots would suit" +

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -150,6 +151,11 @@ void find_picture(const AgainCommand& all, const Recorded& made, std::vector<std
     if (words[1] == "-")
         throw BadUsage(shown(all.file) +
                        ": its picture came from standard input: give it as IMAGE");
+    if (!std::filesystem::exists(words[1]))
+        throw FileError(
+            fmt::format("{}: there is no picture {}, of which it was made: give it as "
+                        "IMAGE, after {}",
+                        all.file, words[1], all.file));
     const std::string sha256 = files::sha256_of_bytes(files::read_whole(words[1]));
     if (!made.image_sha256.empty() && sha256 != made.image_sha256)
         throw FileError(

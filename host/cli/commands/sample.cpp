@@ -7,8 +7,10 @@
 #include <fmt/core.h>
 #include <lacuna/lacuna.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -101,6 +103,7 @@ void run(const CommandLine& line, SampleCommand all) {
     check_ellipse_columns(all.ellipse_columns, outputs);
     DomainFiles files;
     read_domain_files(line, all.domain, request, files);
+    if (!options.quiet) std::fputs(files.hint.c_str(), stderr);
     const auto has_dots = [](const Output& output) { return !output.format.medium.has_value(); };
     if (has_sizes(request.classes) && all.drawing.are_given &&
         std::any_of(outputs.begin(), outputs.end(), has_dots))

@@ -107,6 +107,9 @@ Request request_of(const CommandLine& line, const VerifyCommand& options, const 
     Request request = given.request;
     ask_for_files(line, options.domain, options.distances_only, file.origin, name);
     claim.own_field = use_values(line, file.origin, request, claim.options);
+    // The outlines of a chunk lie in the plane.
+    if (file.origin.values.contains("chunk"))
+        for (Outline& outline : request.places.outlines) outline.polygons.page.reset();
     if (!line.has("domain") && file.domain) take_shape(*file.domain, request);
     if (file.boundary == Boundary::torus) request.domain.boundary = Boundary::torus;
     if (given.files.extent) {

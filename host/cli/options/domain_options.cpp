@@ -142,6 +142,27 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
     request.keep_classes = files.keep_classes;
 }
 
+namespace {
+
+// What a page that is stretched unevenly over the domain becomes; empty if there is none.
+std::string hint_of_pages(const Request& request) {
+    constexpr double kMost = 1.01;  // pages are rounded
+    for (const Outline& outline : request.places.outlines) {
+        if (!outline.polygons.page) continue;
+        const Domain& page = *outline.polygons.page;
+        const double across = request.domain.width / page.width;
+        const double up = request.domain.height / page.height;
+        if (std::max(across / up, up / across) > kMost)
+            return fmt::format(
+                "lacuna: an SVG page of {:.6g} x {:.6g} is stretched over the domain: {:.3g} times "
+                "across and {:.3g} times upwards\n",
+                page.width, page.height, across, up);
+    }
+    return "";
+}
+
+}  // namespace
+
 void read_domain_files(const CommandLine& line, const DomainOptions& options, Request& request,
                        DomainFiles& files) {
     read_given_files(line, options, request, files);
@@ -153,6 +174,7 @@ void read_domain_files(const CommandLine& line, const DomainOptions& options, Re
     if (files.chunk && line.has("domain"))
         throw BadRequest("chunk", options.chunk.at + " with --domain", "is a domain by itself");
     if (files.chunk) request = files.chunk->request;
+    files.hint = hint_of_pages(request);
     Resolved resolved = resolve(request);
     request = std::move(resolved.request);
     files.masks = resolved.masks;

@@ -126,6 +126,7 @@ struct DomainFiles {
     double edge = 0;                                 // how far outlines may be off; 0: none
     std::optional<Domain> extent;                    // of the field's picture, if it has its own
     std::optional<Chunk> chunk;                      // whose request this is
+    std::string hint;                                // of a page whose shape changes; or empty
 };
 
 Targets targets_of(DomainOptions& options);

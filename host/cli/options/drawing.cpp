@@ -149,8 +149,13 @@ void warn_of_ink(const DrawingOptions& options, const Inked& inked) {
                                   : fmt::format("{} dots of {}", inked.dots, pen);
     // Found by looking: with 14 to 40 % of the ink dots of a photograph, or one line, look flat by
     // its numbers. With 1.5 they look a little less flat, and with 3 faces lose their features.
-    const char* const contrast =
-        ink < kLeastInk && !inked.has_gamma ? "; with this ink --gamma 2 keeps more contrast" : "";
+    std::string contrast;
+    if (ink < kLeastInk && !inked.has_gamma) {
+        contrast = "; with this ink --gamma 2 keeps more contrast";
+        if (pens && pens->least_mm == pens->most_mm && !inked.are_line)
+            contrast += ", and --size-by-tone 0.5 --pen " + pen +
+                        " in place of --dot-size draws wider dots with this pen";
+    }
     std::fputs(
         fmt::format("lacuna: {} have {} % of the picture's ink: {} would suit{}\n", drawn, percent,
                     options::listed(std::vector<std::string_view>(advice.begin(), advice.end())),
