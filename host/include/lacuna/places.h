@@ -101,11 +101,11 @@ struct Places {
 struct Field;  // lacuna/sample.h
 
 // The domain of places for which none is given. A field or, without one, a mask that has an extent
-// or is alone gives it the shape of its pixels, with a longer side of 1. Else it is the first page of the outlines; else 1 x 1, or
-// from (0, 0) to the farthest corner of rings that reach beyond it. If they lie far from (0, 0), or
-// beyond it, the box around them where it lies, or a larger square if the box is so small that
-// doubles are too coarse for it there. Throws BadRequest for a box without an area, and for
-// coordinates and distances that are not finite.
+// or is alone gives it the shape of its pixels, with a longer side of 1. Else it is the first page
+// of the outlines; else 1 x 1, or from (0, 0) to the farthest corner of rings that reach beyond it.
+// If they lie far from (0, 0), or beyond it, the box around them where it lies, or a larger square
+// if the box is so small that doubles are too coarse for it there. Throws BadRequest for a box
+// without an area, and for coordinates and distances that are not finite.
 Domain domain_around(const Places& places, const Field* field = nullptr);
 
 // The rings of `polygons` for this domain. A page is stretched over it, its lower left corner on
