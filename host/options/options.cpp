@@ -149,11 +149,11 @@ constexpr Row kRows[] = {
     {{"outside", "[NAME:]FILE", Kind::places, kPlaced, {.repeats = true}},
      "Polygons that points must not lie in, as for --inside; may be given several times. NAME:FILE "
      "is for one class"},
-    {{"avoid", "FILE[:WIDTH]", Kind::obstacles, kPlaced, {.repeats = true}},
+    {{"avoid", "[NAME:]FILE[:WIDTH]", Kind::obstacles, kPlaced, {.repeats = true}},
      "Obstacles that points stay away from: points of a .csv, by its column radius, or lines and "
      "outlines of a .svg, .geojson or .txt, within WIDTH; FILE.svg:stroke has the widths drawn; "
-     "FILE.svg#NAME as for --inside; may be given several times"},
-    {{"near", "FILE[:D]", Kind::obstacles, kPlaced, {.repeats = true}},
+     "FILE.svg#NAME and NAME:FILE as for --inside; may be given several times"},
+    {{"near", "[NAME:]FILE[:D]", Kind::obstacles, kPlaced, {.repeats = true}},
      "Points lie within D of the lines, outlines or points in this file, which is as for --avoid; "
      "may be given several times, and points are then near to any"},
     {{"edge", "E", Kind::number, kPlaced},

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -217,6 +218,24 @@ TEST_F(Placement, OfAPageIsInThePlaneOfChunksAndStretchedElsewhere) {
             {{"--radius", "5", "--outside", page, "--domain", "200x200"}, {}, {}}});
     EXPECT_EQ(run({"sample", "--radius", "5", "--outside", page, "-o", set}).err.find("stretched"),
               std::string::npos);
+}
+
+TEST_F(Placement, OfObstaclesMayBeOfOneClass) {
+    const std::string road = file("road.txt", "0.5 0\n0.5 1\n"), set = folder_.path("a.json");
+    const Words avoided{"--avoid", "a:" + road + ":0.2", "--avoid", "b:" + road + ":0.05"};
+    expect_success(joined({"sample", "--quiet", "--class", "a:0.05", "--class", "b:0.02",
+                           "--domain", "1x1", "-o", set},
+                          avoided));
+    expect_success(joined({"verify", set}, avoided));
+    const files::PointsOfFile made = files::read_points(set);
+    std::array<double, 2> least{1, 1};
+    for (std::size_t i = 0; i < made.points.size(); ++i) {
+        double& own = least[made.classes.of_point[i]];
+        own = std::min(own, std::abs(made.points[i].x - 0.5));
+    }
+    EXPECT_GE(least[0], 0.2);
+    EXPECT_GE(least[1], 0.05);
+    EXPECT_LT(least[1], 0.06);
 }
 
 // A kept object has the size that its radius says, and keeps it when its file is written again.

@@ -143,4 +143,16 @@ TEST(KeptPoints, AreComparedInAShortTimeWhereverTheyLieAndHoweverDistancesDiffer
     EXPECT_LT(processor_seconds() - begin, 5);  // each with each takes a minute
 }
 
+// Samples are rounded over the seam of a torus, as over other borders of pixels.
+TEST(KeptPoints, AtTheSeamOfATorusCountForThePixelsBeyondIt) {
+    const Mask left{4, 1, {1, 0, 0, 0}, {}, {}};
+    Request request{.domain = {1, 1, Boundary::torus}, .radius = 0.1};
+    request.places.mask = &left;
+    const std::vector<Point> keep{{std::nextafter(1, 0), 0.5}};
+    request.keep = keep;
+    EXPECT_EQ(sample(request).points.front(), keep.front());
+    request.domain.boundary = Boundary::box;
+    EXPECT_THROW(sample(request), BadRequest);
+}
+
 }  // namespace

@@ -111,7 +111,9 @@ std::vector<GivenFile> files_read(const CommandLine& line) {
                 files.push_back(
                     {name, name_in_table == "field" ? placed_picture(value).path : value});
             if (option.kind == Kind::obstacles)
-                files.push_back({name, domains::file_and_layer(path_of_obstacles(value)).file});
+                files.push_back({name, domains::file_and_layer(
+                                           path_of_obstacles(class_and_path(value, classes).second))
+                                           .file});
             if (option.kind == Kind::places)
                 files.push_back(
                     {name, placed_picture(

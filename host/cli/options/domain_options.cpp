@@ -61,10 +61,9 @@ void read_all_outlines(const DomainOptions& options, Request& request) {
     const std::vector<std::string>& names = names_of_classes(options, request);
     for (const auto& [role, texts] : options.outlines)
         for (const std::string& text : texts) {
-            const bool may_be_of_class = !has_distance(role);
-            const auto& [own, path] =
-                may_be_of_class ? class_and_path(text, names) : std::pair(std::string(), text);
-            if (may_be_of_class) check_class_of_file(std::string(name_of(role)), text, path, names);
+            const auto& [own, path] = class_and_path(text, names);
+            if (!has_distance(role))
+                check_class_of_file(std::string(name_of(role)), text, path, names);
             for (Outline& one : read_outlines(role, path)) {
                 one.of_class = own;
                 request.places.outlines.push_back(std::move(one));
