@@ -62,6 +62,8 @@ inline void add_hard_points(Chooser& choose, Made& made) {
             at = other;
             if (shape) (choose.one_in(2) ? at.x : at.y) += shape->shorter;
         }
+        // At the seam of a torus the mask goes on beyond the edges, but polygons do not.
+        if (!made.polygons.empty() && judge::depth_in(made.polygons, at) < 0) continue;
         made.keep.push_back(at);
         if (!fault_of_kept(made, made.keep).empty()) made.keep.pop_back();
     }
