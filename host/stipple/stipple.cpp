@@ -63,8 +63,7 @@ public:
         choose_count();
         make();
         // Strokes may take longer than expected, because those that cross are longer, and so are
-        // the ways between long ones. About half of the time does not depend on their number. Dots
-        // of several pens may take a little longer.
+        // the ways between long ones. About half of the time does not depend on their number.
         constexpr int kTrials = 4;
         for (int trial = 0; trial < kTrials && may_be_fewer(); ++trial) {
             const double part = *options_.plot_seconds / made_.plot_seconds;
@@ -80,11 +79,7 @@ public:
     }
 
 private:
-    // Whether the number of dots or strokes follows from the time, in one ink.
-    bool may_be_fewer() const {
-        return options_.plot_seconds && !options_.path_line && !tones_.has_inks() &&
-               options_.start_points.empty();
-    }
+    bool may_be_fewer() const { return made_.are_strokes && options_.plot_seconds; }
 
     void make() {
         made_.admitted_length = 0;
