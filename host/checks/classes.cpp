@@ -73,6 +73,10 @@ void check_priority(const Classes& classes) {
                 "each class is full before the next begins: give no weight, or 0");
 }
 
+double own_distance_of(const Classes& classes, std::size_t of_class) {
+    return classes.distances[of_class * (classes.names.size() + 1)];
+}
+
 double least_distance_of(const Classes& classes) {
     double least = std::numeric_limits<double>::infinity();
     for (const double distance : classes.distances)

@@ -16,6 +16,8 @@ namespace lacuna {
 std::vector<double> distances_of(const Classes& classes);
 // The greatest of these shares.
 double greatest_share(const Classes& classes);
+// The distance that two points of one class keep, in the request's unit.
+double own_distance_of(const Classes& classes, std::size_t of_class);
 // The least distance that is not 0, in the request's unit, which Request::radius or scale stand
 // for. Infinite if there is none.
 double least_distance_of(const Classes& classes);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/polling.h"
+#include "checks/classes.h"
 #include "checks/pixels.h"
 
 namespace lacuna::places {
@@ -90,6 +91,7 @@ private:
 
 void turn_masks_into_outlines(const Domain& domain, const Classes& classes, Places& places) {
     if (places.outlines.empty()) return;
+    check_each(classes, "mask", places.masks.size(), " masks of classes");
     const auto add = [&](const Mask* mask, const std::string& of_class) {
         if (mask == nullptr) return;
         if (mask->drawn)
@@ -100,10 +102,14 @@ void turn_masks_into_outlines(const Domain& domain, const Classes& classes, Plac
                 {{.rings = std::move(rings)}, Role::outside, 0, of_class, false});
     };
     if (places.masks.empty()) add(places.mask, "");
-    for (std::size_t i = 0; i < places.masks.size(); ++i)
-        // A mask is for all sizes of a kind, and so is an outline.
-        if (i == 0 || classes.names[i] != classes.names[i - 1])
+    for (std::size_t i = 0; i < places.masks.size(); ++i) {
+        const std::size_t first = kind_of(classes, i).first;  // an outline is for all sizes
+        if (places.masks[i] != places.masks[first])
+            throw BadRequest("mask", classes.names[i],
+                             "beside outlines all sizes of a kind must have one mask");
+        if (i == first)
             add(places.masks[i] != nullptr ? places.masks[i] : places.mask, classes.names[i]);
+    }
     places.mask = nullptr;
     places.masks.clear();
 }

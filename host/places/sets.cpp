@@ -143,7 +143,7 @@ void take_border_by_radius(std::optional<double> radius, const Domain& domain,
     const double half = size > 0 && std::isfinite(size) ? size / 2 : 0;
     std::vector<double> radii(std::max<std::size_t>(1, count), half);
     for (std::size_t i = 0; i < count; ++i)
-        radii[i] = classes.distances[i * (count + 1)] / least_distance_of(classes) * half;
+        radii[i] = own_distance_of(classes, i) / least_distance_of(classes) * half;
     for (std::size_t i = 0; i < radii.size(); ++i) {
         if (!(radii[i] >= shorter / 2) || !(shorter > 0) || std::isinf(radii[i])) continue;
         throw BadRequest("inside-by-radius",

@@ -41,19 +41,18 @@ void check_names(const Classes& classes) {
 
 // Classes of one name are sizes: they follow each other, and their own distances differ.
 void check_sizes(const Classes& classes) {
-    const std::size_t count = classes.names.size();
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < classes.names.size(); ++i) {
         const std::string& name = classes.names[i];
-        const auto own = [&](std::size_t one) { return classes.distances[one * (count + 1)]; };
+        const double own = own_distance_of(classes, i);
         for (std::size_t before = 0; before < i; ++before) {
             if (classes.names[before] != name) continue;
             if (before < kind_of(classes, i).first)
                 throw BadRequest("class", name,
                                  "is given twice: sizes of one kind must follow "
                                  "each other");
-            if (own(before) == own(i))
+            if (own_distance_of(classes, before) == own)
                 throw BadRequest("class", name,
-                                 "is given twice with the radius " + shortest(own(i) / 2));
+                                 "is given twice with the radius " + shortest(own / 2));
         }
     }
 }

@@ -65,9 +65,8 @@ public:
         // Strokes may take longer than expected, because those that cross are longer, and so are
         // the ways between long ones. About half of the time does not depend on their number.
         constexpr int kTrials = 4;
-        for (int trial = 0; trial < kTrials && may_be_fewer(); ++trial) {
+        for (int trial = 0; trial < kTrials && take_too_long(); ++trial) {
             const double part = *options_.plot_seconds / made_.plot_seconds;
-            if (part >= 1) break;
             request().count = std::max<std::uint64_t>(
                 1, static_cast<std::uint64_t>(static_cast<double>(made_.result.points.size()) *
                                               part * part));
@@ -79,7 +78,11 @@ public:
     }
 
 private:
-    bool may_be_fewer() const { return made_.are_strokes && options_.plot_seconds; }
+    // Whether strokes take longer than they may.
+    bool take_too_long() const {
+        return made_.are_strokes && options_.plot_seconds &&
+               made_.plot_seconds > *options_.plot_seconds;
+    }
 
     void make() {
         made_.admitted_length = 0;

@@ -142,7 +142,7 @@ def _numbers(argument: str, given: Iterable[object], names: Sequence[str]) -> By
     numbers = []
     for one in given:
         place = places.get(one) if isinstance(one, str) else one
-        if one in names and place is None:
+        if place is None and one in names:
             raise BadRequest(argument, shown(one), "has several sizes: give their places")
         if isinstance(place, (bool, float)) or place is None or not hasattr(place, "__index__"):
             raise BadRequest(argument, shown(one), f"must be one of {', '.join(names)}")

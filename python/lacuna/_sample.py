@@ -113,8 +113,9 @@ def sample(
     inside, outside : Polygons, iterable of array_like, or list of Polygons, optional
         Polygons in which points must lie, and must not lie: outlines of shape (N, 2) in the unit of
         ``domain``, y upwards, or what ``read_polygons`` gives. An outline within another is a hole,
-        and outlines that overlap in part are joined. Of several Polygons a point lies in any. With classes also a dict: those of a class by its name, and by None those of all. A
-        class that has ``inside`` of its own lies in that alone. Beside a mask points lie where both allow it.
+        and outlines that overlap in part are joined. Of several Polygons a point lies in any. With
+        classes also a dict: those of a class by its name, and by None those of all. A class that
+        has ``inside`` of its own lies in that alone. Beside a mask points lie where both allow it.
     avoid : list of (Polygons or iterable of array_like, float), optional
         Obstacles: lines, outlines and points, and the distance that points keep from them.
         ``read_lines`` reads them; an array of one row is a point, of two a line, and of more an
@@ -142,8 +143,10 @@ def sample(
         Points of several kinds: the radius of each by its name, or a radius and a weight, which
         says how often the class is drawn, or these two and how many points the class has, such as
         ``(0.05, 1, 20)``. A text is a range of radii: ``'1.5..3'`` has objects of 8 sizes, and
-        ``'1.5..3/5'`` of 5, as ``radii_of_classes`` says. Not with ``n``, ``limit`` and ``progressive``. Then give no ``radius`` or ``scale``; with ``n`` the
-        radii are in proportion. With a field they are those where the importance is 1. At most 16.
+        ``'1.5..3/5'`` of 5; ``radii_of_classes`` of the set has the radius of each point. A number
+        of points is not for ``n``, ``limit`` and ``progressive``. With classes give no ``radius``
+        or ``scale``; with ``n`` the radii are in proportion. With a field they are those where the
+        importance is 1. At most 16, and each size counts as one.
     between : {'sum', 'union'} or array_like, shape (K, K)
         The least distance of two classes. 'sum': the sum of their radii, as of objects that do not
         overlap. 'union': each class alone is a set of its radius, and all together are evenly

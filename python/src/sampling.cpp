@@ -317,11 +317,10 @@ nb::object ranks_of_mask(std::uint32_t columns, std::uint32_t rows, std::uint64_
 // The name, radius, weight and number of points of each size of a class, as --class reads them.
 auto sizes_of_class(const std::string& text, const std::string& between, bool by_priority) {
     const Classes classes = options::read_classes({{text}, between, by_priority}, nullptr);
-    const std::size_t sizes = classes.names.size();
     std::vector<std::tuple<std::string, double, double, std::optional<std::uint64_t>>> all;
-    for (std::size_t i = 0; i < sizes; ++i)
-        all.emplace_back(classes.names[i], classes.distances[i * (sizes + 1)] / 2,
-                         classes.weights[i], classes.counts[i]);
+    for (std::size_t i = 0; i < classes.names.size(); ++i)
+        all.emplace_back(classes.names[i], own_distance_of(classes, i) / 2, classes.weights[i],
+                         classes.counts[i]);
     return all;
 }
 

@@ -95,6 +95,13 @@ TEST(AMaskBesideOutlines, MayBeOfAClassOfSeveralSizes) {
                      0.1);
     }
     EXPECT_TRUE(prove(set.points, claim_of(request, set)).maximal);
+    // An outline is for all sizes, and each class must have a name.
+    request.places.masks = {&left, &right, nullptr};
+    EXPECT_THROW(sample(request), BadRequest);
+    Request nameless = request;
+    nameless.classes = {};
+    nameless.radius = 0.05;
+    EXPECT_THROW(sample(nameless), BadRequest);
     // What was drawn from polygons has no pixels to go around.
     const PolygonSet around{hole};
     const Mask drawn = draw_places({&around, 1}, {}, 0.01);

@@ -8,7 +8,7 @@ export type List = string | readonly (string | number)[];
 
 /**
  * What both functions have: options of the command, in camelCase. `lacuna sample --help-all` says
- * each means; a flag is true.
+ * what each means; a flag is true.
  */
 export interface Options {
     count?: Numeric;

@@ -7,7 +7,6 @@
 #include <fmt/core.h>
 #include <lacuna/lacuna.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -104,9 +103,7 @@ void run(const CommandLine& line, SampleCommand all) {
     DomainFiles files;
     read_domain_files(line, all.domain, request, files);
     if (!options.quiet) std::fputs(files.hint.c_str(), stderr);
-    const auto has_dots = [](const Output& output) { return !output.format.medium.has_value(); };
-    if (has_sizes(request.classes) && all.drawing.are_given &&
-        std::any_of(outputs.begin(), outputs.end(), has_dots))
+    if (has_sizes(request.classes) && all.drawing.are_given && !are_pictures(outputs))
         throw BadRequest("class", "of several sizes",
                          "files have their radii in the column that dots have, too: give "
                          "--dot-size, --paper-size and --dpi for pictures alone");

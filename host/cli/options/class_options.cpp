@@ -116,7 +116,7 @@ std::size_t size_among(const files::PointsOfFile& file, std::size_t point, const
         throw files::FileError(fmt::format(
             "{}: needs a column radius, because the class {} has several sizes", name, own));
     for (std::size_t i = kind.first; i <= kind.last; ++i) {
-        const double radius = classes.distances[i * (classes.names.size() + 1)] / 2;
+        const double radius = own_distance_of(classes, i) / 2;
         if (std::abs(radius - file.radii[point]) <= kRounded * radius) return i;
     }
     throw files::FileError(
@@ -188,12 +188,11 @@ std::vector<files::Layer> layers_of(const Classes& classes, const Result& result
 }
 
 std::vector<double> class_diameters(const Request& request, const Result& result) {
-    const std::size_t count = request.classes.names.size();
     const double scale = distance_factor(request, result);
     std::vector<double> diameters;
     diameters.reserve(result.points.size());
     for (std::size_t i = 0; i < result.points.size(); ++i) {
-        const double own = request.classes.distances[result.classes[i] * (count + 1)] * scale;
+        const double own = own_distance_of(request.classes, result.classes[i]) * scale;
         const double importance =
             request.field == nullptr
                 ? 1

@@ -120,13 +120,14 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
     read_all_outlines(options, request);
     const Mask* const mask = read_masks(options, request, files);
     const bool is_same_everywhere = !options.ellipses.same.empty();
-    Places around = request.places;
-    if (mask != nullptr) around.mask = mask;
-    if (!line.has("domain") && !request.on_pixels)
+    if (!line.has("domain") && !request.on_pixels) {
+        Places around = request.places;
+        if (mask != nullptr) around.mask = mask;
         take_shape(files.extent
                        ? *files.extent
                        : domain_around(around, is_same_everywhere ? nullptr : request.field),
                    request);
+    }
     take_size_of_classes(request);
     if (options.keep.empty()) return;
     if (request.classes.names.empty()) {

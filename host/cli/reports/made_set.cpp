@@ -12,11 +12,10 @@ namespace {
 
 // Half of the distance that two of each class keep.
 std::vector<double> radii_of(const Request& request, const Result& result) {
+    const double half = distance_factor(request, result) / 2;
     std::vector<double> radii;
-    const std::size_t count = request.classes.names.size();
-    for (std::size_t i = 0; i < count; ++i)
-        radii.push_back(distance_factor(request, result) / 2 *
-                        request.classes.distances[i * (count + 1)]);
+    for (std::size_t i = 0; i < request.classes.names.size(); ++i)
+        radii.push_back(half * own_distance_of(request.classes, i));
     return radii;
 }
 

@@ -73,6 +73,11 @@ std::vector<Output> outputs_of(const OutputOptions& options, const std::string& 
     return in_order;
 }
 
+bool are_pictures(const std::vector<Output>& outputs) {
+    return std::all_of(outputs.begin(), outputs.end(),
+                       [](const Output& output) { return output.format.medium.has_value(); });
+}
+
 std::string loss_of_columns(const std::vector<Output>& outputs) {
     for (const Output& output : outputs)
         if (!output.format.has_columns)

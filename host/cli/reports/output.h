@@ -45,6 +45,9 @@ bool is_stream(const std::string& path);
 bool is_standard_output(const std::string& path);
 bool has_standard_output(const std::vector<Output>& outputs);
 
+// Whether all outputs are pictures, which have no columns.
+bool are_pictures(const std::vector<Output>& outputs);
+
 // Says why an output has no place for classes, inks and ellipses of points; empty if all have.
 std::string loss_of_columns(const std::vector<Output>& outputs);
 

@@ -47,11 +47,9 @@ std::vector<RandomColumn> read_columns(const std::string& text,
             if (columns[i].stream == columns.back().stream)
                 throw BadRequest("columns", shown(text), "each may be given once");
     }
-    const bool are_pictures = std::all_of(outputs.begin(), outputs.end(), [](const Output& output) {
-        return output.format.medium.has_value();
-    });
+    const bool has_no_columns = are_pictures(outputs);
     for (const Output& output : outputs)
-        if (!output.format.has_columns || output.format.name() == "npy" || are_pictures)
+        if (!output.format.has_columns || output.format.name() == "npy" || has_no_columns)
             throw BadRequest("columns", shown(text),
                              "have no place in " + std::string(output.format.extension) +
                                  ": give --output FILE with one of .csv .ply .geojson .json, or "
