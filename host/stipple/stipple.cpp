@@ -62,8 +62,9 @@ public:
     void run() {
         choose_count();
         make();
-        // Strokes may take longer than expected, because those that cross are longer, and so are
-        // the ways between long ones. About half of the time does not depend on their number.
+        // They may take longer than expected: strokes that cross are longer, and ways are longer
+        // between long strokes and from pen to pen. Up to half of the time does not depend on the
+        // number, hence the square.
         constexpr int kTrials = 4;
         for (int trial = 0; trial < kTrials && take_too_long(); ++trial) {
             const double part = *options_.plot_seconds / made_.plot_seconds;
@@ -71,6 +72,7 @@ public:
                 1, static_cast<std::uint64_t>(static_cast<double>(made_.result.points.size()) *
                                               part * part));
             request().scale.reset();
+            if (tones_.has_inks()) stippling::share_dots(tones_, *request().count);
             make();
         }
         made_.layers = std::move(layers_);
@@ -78,9 +80,9 @@ public:
     }
 
 private:
-    // Whether strokes take longer than they may.
+    // Whether the plot takes longer than asked for, and could have fewer dots or strokes.
     bool take_too_long() const {
-        return made_.are_strokes && options_.plot_seconds &&
+        return options_.plot_seconds && options_.start_points.empty() &&
                made_.plot_seconds > *options_.plot_seconds;
     }
 
