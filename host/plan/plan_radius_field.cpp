@@ -62,18 +62,26 @@ RadiusField::Shape shape_of(const Request& around, const Domain& own, double bor
 
 // The radius of a kept point. It may lie on a pixel where no sample may, if that pixel's border is
 // near and the other side is allowed (check_kept_place). Then the radius of the nearest position
-// that has one is taken.
-std::uint32_t radius_of_kept(const RadiusField& radius_field, Sample at) {
+// that has one is taken. On a torus the first positions lie beside the last ones.
+std::uint32_t radius_of_kept(const RadiusField& radius_field, Sample at, bool wraps) {
     std::uint32_t radius = radius_field.radius_at(at.x, at.y);
-    constexpr std::uint32_t kFarthest = 8;  // 2^-28 of the longer side, plus rounding
-    for (std::uint32_t far = 0; radius == 0 && far <= kFarthest; ++far) {
-        const auto around = [far](const PixelAxis& axis, std::uint32_t middle) {
-            const std::uint32_t end = axis.begin_of(axis.pixels());
-            return pixels_of(axis, middle - std::min(middle, far), std::min(middle + far + 1, end));
+    constexpr std::int64_t kFarthest = 8;  // 2^-28 of the longer side, plus rounding
+    for (std::int64_t far = 0; radius == 0 && far <= kFarthest; ++far) {
+        const auto around = [&](const PixelAxis& axis, std::uint32_t middle) {
+            const std::int64_t end = axis.begin_of(axis.pixels());
+            std::vector<PixelRange> spans;
+            for (const std::int64_t image : {std::int64_t{0}, -end, end}) {
+                const std::int64_t begin = std::max<std::int64_t>(0, image + middle - far);
+                const std::int64_t last = std::min(end, image + middle + far + 1);
+                if (begin < last && (image == 0 || wraps))
+                    spans.push_back(pixels_of(axis, static_cast<std::uint32_t>(begin),
+                                              static_cast<std::uint32_t>(last)));
+            }
+            return spans;
         };
-        radius = radius_field.radii()
-                     .over(around(radius_field.columns(), at.x), around(radius_field.rows(), at.y))
-                     .greatest();
+        for (const PixelRange columns : around(radius_field.columns(), at.x))
+            for (const PixelRange rows : around(radius_field.rows(), at.y))
+                radius = std::max(radius, radius_field.radii().over(columns, rows).greatest());
     }
     return radius;
 }
@@ -85,6 +93,7 @@ std::vector<Sized> kept_on(const RadiusField& radius_field, const ClassCopies& c
                            const Request& request, std::size_t members) {
     const std::uint32_t width = radius_field.shape().width;
     const std::uint32_t height = radius_field.shape().height;
+    const bool wraps = request.domain.wraps();
     std::vector<Sized> kept;
     kept.reserve(request.keep.size());
     for (const Point& kept_point : request.keep) {
@@ -95,8 +104,10 @@ std::vector<Sized> kept_on(const RadiusField& radius_field, const ClassCopies& c
         };
         const Sample low{along(point.x, request.domain.width / width, width),
                          along(point.y, request.domain.height / height, height)};
-        const std::uint32_t right = std::min(low.x + 1, width - 1);
-        const std::uint32_t up = std::min(low.y + 1, height - 1);
+        const auto next = [&](std::uint32_t at, std::uint32_t units) {
+            return at + 1 < units ? at + 1 : wraps ? 0 : at;
+        };
+        const std::uint32_t right = next(low.x, width), up = next(low.y, height);
         Sample found = low;
         const bool is_member = kept.size() < members;
         for (const Sample near : {Sample{right, up}, Sample{low.x, up}, Sample{right, low.y}, low})
@@ -105,7 +116,7 @@ std::vector<Sized> kept_on(const RadiusField& radius_field, const ClassCopies& c
             copies.are_several() ? request.keep_classes[kept.size()] : std::uint32_t{0};
         kept.push_back(
             {copies.x_on(copy, found.x), found.y,
-             is_member ? radius_of_kept(radius_field, found) : radius_field.least_radius()});
+             is_member ? radius_of_kept(radius_field, found, wraps) : radius_field.least_radius()});
     }
     return kept;
 }

@@ -246,13 +246,14 @@ TEST_F(Placement, OfSizesHasTheRadiusOfEachObject) {
         return joined(joined({"sample", "--seed", "3"}, kinds), more);
     };
     const std::string json = path("a.json");
-    EXPECT_EQ(
-        run(sample({"-o", path("a.csv"), "-o", path("a.ply"), "-o", path("a.geojson"), "-o", json}))
-            .err.find("(trees 0"),
-        std::string::npos);
+    EXPECT_EQ(run(sample({"-o", path("a.csv"), "-o", path("a.ply"), "-o", path("a.geojson"), "-o",
+                          json, "--report", path("report.json")}))
+                  .err.find("(trees 0"),
+              std::string::npos);
     const files::PointsOfFile set = files::read_points(json);
     EXPECT_EQ(Json::parse(content_of(json))["options"]["class_names"],
               (Words{"trees", "trees", "trees", "trees", "trees", "grass"}));
+    EXPECT_EQ(Json::parse(content_of(path("report.json")))["classes"][4]["radius"], 0.08);
     for (std::size_t i = 0; i < set.radii.size(); ++i) {
         constexpr std::array<double, 6> kRadii{0.04, 0.05, 0.06, 0.07, 0.08, 0.01};
         ASSERT_NEAR(set.radii[i], kRadii[set.classes.of_point[i]], 1e-9);

@@ -112,8 +112,9 @@ bool contains(const Domain& domain, Point at, bool is_open) {
 }
 
 double to_edges(const Domain& domain, Point at) {
-    const double x = at.x - domain.x0, y = at.y - domain.y0;
-    return std::min({x, domain.width - x, y, domain.height - y});
+    // The upper edges are sums of the corner and the sides, as in Domain::holds.
+    return std::min({at.x - domain.x0, domain.x0 + domain.width - at.x, at.y - domain.y0,
+                     domain.y0 + domain.height - at.y});
 }
 
 std::size_t pixel_of(const Domain& domain, std::uint32_t columns, std::uint32_t rows, Point at) {

@@ -10,9 +10,11 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "judge/judge.h"
+#include "judge/plane.h"
 #include "plan/kept.h"
 #include "refusal.h"
 
@@ -143,18 +145,39 @@ TEST(KeptPoints, AreComparedInAShortTimeWhereverTheyLieAndHoweverDistancesDiffer
     EXPECT_LT(processor_seconds() - begin, 5);  // each with each takes a minute
 }
 
-// Samples are rounded over the seam of a torus, as over other borders of pixels.
+// Samples are rounded over the seam of a torus, as over other borders of pixels. A point that
+// counts for the pixels beyond it keeps its distance from the samples there.
 TEST(KeptPoints, AtTheSeamOfATorusCountForThePixelsBeyondIt) {
-    const Mask left{4, 1, {1, 0, 0, 0}, {}, {}};
-    Request request{.domain = {1, 1, Boundary::torus}, .radius = 0.1};
-    request.places.mask = &left;
-    const std::vector<Point> keep{{std::nextafter(1, 0), 0.5}};
-    request.keep = keep;
-    const Result set = sample(request);
-    EXPECT_EQ(set.points.front(), keep.front());
-    EXPECT_TRUE(prove(set.points, claim_of(request, set)).maximal);
-    request.domain.boundary = Boundary::box;
-    EXPECT_THROW(sample(request), BadRequest);
+    const double last = std::nextafter(1, 0), near = 1 - 0x1p-29, beside = 0.25 + 0x1p-29;
+    const std::vector<std::uint8_t> left{1, 0, 0, 0}, corner{0, 0, 1, 0};
+    for (const auto& [open, columns, at] : {std::tuple{&left, 4, Point{last, 0.5}},
+                                            {&left, 4, {near, 0.5}},
+                                            {&left, 4, {beside, 0.5}},
+                                            {&corner, 2, {last, last}},
+                                            {&corner, 2, {near, near}},
+                                            {&corner, 2, {0.2, near}},
+                                            {&corner, 2, {0.5 + 0x1p-29, near}}}) {
+        SCOPED_TRACE(::testing::PrintToString(at.x) + ", " + ::testing::PrintToString(at.y));
+        const auto width = static_cast<std::uint32_t>(columns), height = 4 / width;
+        const Mask mask{width, height, *open, {}, {}};
+        const Field field{width, height, {open->begin(), open->end()}};
+        const std::vector<Point> keep{at};
+        for (const bool has_field : {false, true}) {
+            Request request{.domain = {1, 1, Boundary::torus}, .radius = 0.1, .scale = 0.1};
+            (has_field ? request.radius : request.scale).reset();
+            if (has_field) request.field = &field;
+            if (!has_field) request.places.mask = &mask;
+            request.keep = keep;
+            const std::vector<Point> points = sample(request).points;
+            ASSERT_EQ(points.front(), at);
+            for (std::size_t i = 1; i < points.size(); ++i)
+                EXPECT_GE(judge::distance(request.domain, at, points[i]), 0.1 * (1 - 0x1p-28));
+            request.domain.boundary = Boundary::box;
+            if (std::max(at.x, at.y) > 0.9) {
+                EXPECT_THROW(sample(request), BadRequest);
+            }
+        }
+    }
 }
 
 }  // namespace

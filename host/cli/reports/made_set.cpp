@@ -8,18 +8,13 @@
 
 namespace lacuna::cli {
 
-namespace {
-
-// Half of the distance that two of each class keep.
-std::vector<double> radii_of(const Request& request, const Result& result) {
+std::vector<double> radii_of_classes(const Request& request, const Result& result) {
     const double half = distance_factor(request, result) / 2;
     std::vector<double> radii;
     for (std::size_t i = 0; i < request.classes.names.size(); ++i)
         radii.push_back(half * own_distance_of(request.classes, i));
     return radii;
 }
-
-}  // namespace
 
 MadeSet::MadeSet(const Request& request, const Result& result, const files::Origin& origin,
                  const Showing& showing)
@@ -31,7 +26,7 @@ MadeSet::MadeSet(const Request& request, const Result& result, const files::Orig
       more_(values_of(showing.columns, request.seed, result.points.size())),
       set_{result.points, request.domain, result.radius, &origin} {
     if (has_sizes(request.classes))
-        more_.push_back(files::radius_of_each(result.classes, radii_of(request, result)));
+        more_.push_back(files::radius_of_each(result.classes, radii_of_classes(request, result)));
     set_.more = more_;
     set_.on_pixels = request.on_pixels;
     set_.ellipses = ellipses_;

@@ -17,6 +17,9 @@ struct Showing {
     std::vector<RandomColumn> columns;  // of --columns
 };
 
+// Half of the distance that two of each class keep.
+std::vector<double> radii_of_classes(const Request& request, const Result& result);
+
 // Refers to the request, the result and the origin, which must outlive it.
 class MadeSet {
 public:

@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <string>
 
+#include "checks/classes.h"
 #include "cli/options/domain_options.h"
+#include "cli/reports/made_set.h"
 #include "files/point_files.h"
 #include "options/describe.h"
 
@@ -85,8 +87,14 @@ std::string report_of(const Request& request, const Finished& made, const Json& 
                 {"version", LACUNA_VERSION},
                 {"request", json_of(request, result)},
                 {"count", result.points.size()}};
-    for (const files::Layer& one : layers_of(request.classes, result))
-        report["classes"].push_back({{"name", one.ink.name}, {"count", one.dots}});
+    const bool have_sizes = has_sizes(request.classes);
+    const std::vector<double> radii =
+        have_sizes ? radii_of_classes(request, result) : std::vector<double>{};
+    for (const files::Layer& one : layers_of(request.classes, result)) {
+        Json& kind = report["classes"].emplace_back(Json{{"name", one.ink.name}});
+        if (have_sizes) kind["radius"] = radii[report["classes"].size() - 1];
+        kind["count"] = one.dots;
+    }
     report["radius"] = result.radius;
     if (result.scale > 0) report["scale"] = result.scale;
     report.update(
