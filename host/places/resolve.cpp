@@ -70,7 +70,8 @@ double least_radius(const Request& request, std::span<const PolygonSet> sets) {
 
 // A sixteenth of the least radius.
 double usual_edge(const Request& request, std::span<const PolygonSet> sets) {
-    const double edge = places::edge_of_radius(least_radius(request, sets));
+    const double radius = least_radius(request, sets);
+    const double edge = places::edge_of_radius(radius);
     // If the edge is invalid, so is the radius, and the check of the request will refuse that.
     if (!(edge > 0) || !std::isfinite(edge)) return request.domain.longer_side() / 1000;
     // A radius that is too small is refused before its sixteenth is refused as an edge.
@@ -78,7 +79,10 @@ double usual_edge(const Request& request, std::span<const PolygonSet> sets) {
         check_classes(request);
         const std::optional<double>& size =
             request.field != nullptr ? request.scale : request.radius;
-        if (size) check_radius_field_size(request, *size, nobody_asks);
+        if (size || (request.count && !request.on_pixels))
+            check_radius_field_size(request,
+                                    size.value_or(radius * std::sqrt(greatest_importance(request))),
+                                    nobody_asks);
     }
     return edge;
 }

@@ -149,10 +149,14 @@ class FieldSearch : public CountSearch {
 public:
     FieldSearch(const CheckedRequest& request, const Poll& poll)
         : request_(request),
+          poll_(poll),
           wanted_(kFieldSpare * with_deviations(static_cast<double>(*request->count))),
           size_(radius_field_scale_for_count(request, wanted_, poll)) {}
 
     Trial next() override {
+        // The trial's plan would name the scale, which is not the caller's.
+        if (size_ < checked_) check_radius_field_size(*request_, size_, poll_);
+        checked_ = std::min(checked_, size_);
         return {.request = at_size(request_, size_, static_cast<std::uint64_t>(4 * wanted_) + 16)};
     }
 
@@ -171,8 +175,10 @@ public:
 
 private:
     CheckedRequest request_;
+    Poll poll_;
     double wanted_;  // points
     double size_;    // the scale, or without a field the radius
+    double checked_ = std::numeric_limits<double>::infinity();  // the least size that was checked
     int trials_ = 0;
 };
 

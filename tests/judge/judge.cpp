@@ -124,11 +124,13 @@ std::optional<Shape> Judge::shape_at(Point at) const {
                  s * s * far + c * c * near};
 }
 
-// The point, and those beside it on whose pixels it may count as lying.
+// The point, and those beside it on whose pixels it may count as lying. Sums with coordinates of
+// the corner are rounded.
 std::vector<Point> Judge::near(Point at) const {
     std::vector<Point> all;
-    for (const double dx : {0.0, -blur(), blur()})
-        for (const double dy : {0.0, -blur(), blur()})
+    const double far = blur() + 0x1p-51 * std::max(std::abs(domain_.x0), std::abs(domain_.y0));
+    for (const double dx : {0.0, -far, far})
+        for (const double dy : {0.0, -far, far})
             all.push_back(wrapped(domain_, {at.x + dx, at.y + dy}));
     return all;
 }
