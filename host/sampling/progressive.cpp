@@ -31,9 +31,10 @@ public:
         last_ = std::max(
             0, static_cast<int>(std::ceil(kLevelsPerHalving * std::log2(first_ / *asked))));
         first_ = *asked / shrunk(last_);
+        size_of_last_ = *asked;  // the product is rounded
     }
 
-    double at(int level) const { return first_ * shrunk(level); }
+    double at(int level) const { return is_last(level) ? size_of_last_ : first_ * shrunk(level); }
     bool is_last(int level) const { return level == last_; }
 
 private:
@@ -42,6 +43,7 @@ private:
     }
 
     double first_;
+    double size_of_last_ = 0;
     int last_ = std::numeric_limits<int>::max();
 };
 

@@ -66,6 +66,17 @@ TEST(Progressive, HasKeptPointsFirst) {
     EXPECT_TRUE(tests::refusal_of([&] { sample(counted); }).starts_with("keep point 0"));
 }
 
+TEST(Progressive, EndsWithExactlyTheRadiusThatWasAskedFor) {
+    Request request;
+    request.progressive = true;
+    for (int i = 0; i < 30; ++i) {
+        request.radius = 0.05 + 0.0017 * i;
+        const Result result = sample(request);
+        EXPECT_EQ(result.radius, *request.radius);
+        EXPECT_EQ(result.levels.back().size, *request.radius);
+    }
+}
+
 // At the radius of 16 points the ellipses would be longer than the torus.
 TEST(Progressive, BeginsAtALevelWhereEllipsesFitOnATorus) {
     const Field field = tests::swirled(tests::constant_field(12, 12), 25);
