@@ -258,7 +258,7 @@ private:
             made.masks.push_back(choose_.one_in(3) ? first : random_mask(choose_));
             Mask& mask = made.masks.back();
             if (is(kKeep, "outside") && mask.allowed.size() != first.allowed.size()) mask = first;
-            mask.columns = is(kKeep, "outside") ? first.columns : mask.columns;
+            if (is(kKeep, "outside")) mask.columns = first.columns, mask.rows = first.rows;
             made.request.places.masks.push_back(i > 0 && choose_.one_in(3) ? nullptr : &mask);
         }
         if (!choose_.one_in(2)) return;
