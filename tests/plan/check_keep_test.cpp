@@ -161,17 +161,20 @@ TEST(KeptPoints, AtTheSeamOfATorusCountForThePixelsBeyondIt) {
         const auto width = static_cast<std::uint32_t>(columns), height = 4 / width;
         const Mask mask{width, height, *open, {}, {}};
         const Field field{width, height, {open->begin(), open->end()}};
+        Field stretched = field;
+        stretched.stretches.assign(4, {1.5, 0.3});
         const std::vector<Point> keep{at};
-        for (const bool has_field : {false, true}) {
+        for (const Field* const one : std::vector<const Field*>{nullptr, &field, &stretched}) {
             Request request{.domain = {1, 1, Boundary::torus}, .radius = 0.1, .scale = 0.1};
-            (has_field ? request.radius : request.scale).reset();
-            if (has_field) request.field = &field;
-            if (!has_field) request.places.mask = &mask;
+            (one != nullptr ? request.radius : request.scale).reset();
+            request.field = one;
+            if (one == nullptr) request.places.mask = &mask;
+            const double least = one == &stretched ? 0.1 / std::sqrt(1.5) : 0.1;
             request.keep = keep;
             const std::vector<Point> points = sample(request).points;
             ASSERT_EQ(points.front(), at);
             for (std::size_t i = 1; i < points.size(); ++i)
-                EXPECT_GE(judge::distance(request.domain, at, points[i]), 0.1 * (1 - 0x1p-28));
+                EXPECT_GE(judge::distance(request.domain, at, points[i]), least * (1 - 0x1p-24));
             request.domain.boundary = Boundary::box;
             if (std::max(at.x, at.y) > 0.9) {
                 EXPECT_THROW(sample(request), BadRequest);
