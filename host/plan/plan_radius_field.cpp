@@ -66,23 +66,23 @@ RadiusField::Shape shape_of(const Request& around, const Domain& own, double bor
 std::uint32_t radius_of_kept(const RadiusField& radius_field, Sample at, bool wraps) {
     std::uint32_t radius = radius_field.radius_at(at.x, at.y);
     constexpr std::int64_t kFarthest = 8;  // 2^-28 of the longer side, plus rounding
-    for (std::int64_t far = 0; radius == 0 && far <= kFarthest; ++far) {
-        const auto around = [&](const PixelAxis& axis, std::uint32_t middle) {
-            const std::int64_t end = axis.begin_of(axis.pixels());
-            std::vector<PixelRange> spans;
-            for (const std::int64_t image : {std::int64_t{0}, -end, end}) {
-                const std::int64_t begin = std::max<std::int64_t>(0, image + middle - far);
-                const std::int64_t last = std::min(end, image + middle + far + 1);
-                if (begin < last && (image == 0 || wraps))
-                    spans.push_back(pixels_of(axis, static_cast<std::uint32_t>(begin),
-                                              static_cast<std::uint32_t>(last)));
-            }
-            return spans;
-        };
-        for (const PixelRange columns : around(radius_field.columns(), at.x))
-            for (const PixelRange rows : around(radius_field.rows(), at.y))
-                radius = std::max(radius, radius_field.radii().over(columns, rows).greatest());
-    }
+    const auto shifted = [wraps](std::uint32_t from, std::int64_t by, std::int64_t units) {
+        const std::int64_t to = from + by;
+        return static_cast<std::uint32_t>(wraps ? (to + units) % units
+                                                : std::clamp<std::int64_t>(to, 0, units - 1));
+    };
+    // A mask does not count: kept points may lie on outlines, farther from where samples may lie.
+    const auto radius_beside = [&](std::int64_t x, std::int64_t y) {
+        const RadiusField::Shape& shape = radius_field.shape();
+        return radius_field.radii()
+            .at(radius_field.columns().pixel_of(shifted(at.x, x, shape.width)),
+                radius_field.rows().pixel_of(shifted(at.y, y, shape.height)))
+            .greatest();
+    };
+    for (std::int64_t far = 0; radius == 0 && far <= kFarthest; ++far)
+        for (std::int64_t x = -far; x <= far; ++x)
+            for (std::int64_t y = -far; y <= far; ++y)
+                radius = std::max(radius, radius_beside(x, y));
     return radius;
 }
 
