@@ -63,14 +63,10 @@ public:
         choose_count();
         make();
         // They may take longer than expected: strokes that cross are longer, and ways are longer
-        // between long strokes and from pen to pen. Up to half of the time does not depend on the
-        // number, hence the square.
+        // between long strokes and from pen to pen.
         constexpr int kTrials = 4;
         for (int trial = 0; trial < kTrials && take_too_long(); ++trial) {
-            const double part = *options_.plot_seconds / made_.plot_seconds;
-            request().count = std::max<std::uint64_t>(
-                1, static_cast<std::uint64_t>(static_cast<double>(made_.result.points.size()) *
-                                              part * part));
+            request().count = count_in_time();
             request().scale.reset();
             if (tones_.has_inks()) stippling::share_dots(tones_, *request().count);
             make();
@@ -84,6 +80,17 @@ private:
     bool take_too_long() const {
         return options_.plot_seconds && options_.start_points.empty() &&
                made_.plot_seconds > *options_.plot_seconds;
+    }
+
+    // Ways grow with the root of the number, and so do strokes; dots take their time each.
+    std::uint64_t count_in_time() const {
+        const auto count = static_cast<double>(made_.result.points.size());
+        const double seconds = 0.995 * *options_.plot_seconds;
+        const double of_dot = made_.are_strokes ? 0 : options_.plotter.seconds_per_dot;
+        const double of_ways = (made_.plot_seconds - of_dot * count) / std::sqrt(count);
+        const double root =
+            2 * seconds / (of_ways + std::sqrt(of_ways * of_ways + 4 * of_dot * seconds));
+        return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(root * root));
     }
 
     void make() {

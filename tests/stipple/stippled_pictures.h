@@ -52,10 +52,10 @@ inline std::vector<std::pair<double, double>> sorted(std::span<const Point> poin
     return all;
 }
 
-// 64 x 64 pixels, from black at the left to white at the right.
-inline Picture ramp() {
+// 64 x 64 pixels, from black at the left to white at the right, or in another order of greys.
+inline Picture ramp(int step = 1) {
     std::string pixels = "P2 64 64 63";
-    for (int i = 0; i < 64 * 64; ++i) pixels += ' ' + std::to_string(i % 64);
+    for (int i = 0; i < 64 * 64; ++i) pixels += ' ' + std::to_string(i * step % 64);
     return {pixels, "ramp"};
 }
 
