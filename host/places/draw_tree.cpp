@@ -111,13 +111,6 @@ bool meet(const Square& square, const Edge& edge) {
            cut(edge.lower.y, edge.upper.y - edge.lower.y, square.bottom, square.top);
 }
 
-// Whether the rectangle around an edge comes that near to the square along both axes.
-bool come_near(const Square& square, const Edge& edge, double reach) {
-    return edge.lower.y <= square.top + reach && edge.upper.y >= square.bottom - reach &&
-           std::min(edge.lower.x, edge.upper.x) <= square.right + reach &&
-           std::max(edge.lower.x, edge.upper.x) >= square.left - reach;
-}
-
 bool is_near(const Square& square, const Edge& edge, double squared_reach) {
     if (square.squared_distance_to(edge.lower) <= squared_reach ||
         square.squared_distance_to(edge.upper) <= squared_reach || meet(square, edge))
@@ -300,14 +293,12 @@ private:
         const Kind& kind = kinds_[outer.kind];
         Active active{outer.kind, outer.is_odd, {near_.size(), 0}, {left_.size(), 0}};
         const Point centre = square.centre();
-        constexpr double kRounding = 1e-12;
-        const double beside = kind.reach + kRounding * canvas_.domain.longer_side();
-        const double reach =
-            beside + std::sqrt(squared(square.right - centre.x, square.top - centre.y));
+        constexpr double kRounding = 1e-12;  // of the longer side, more than that of coordinates
+        const double reach = kind.reach + kRounding * canvas_.domain.longer_side() +
+                             std::sqrt(squared(square.right - centre.x, square.top - centre.y));
         for (std::size_t i = outer.near.begin; i < outer.near.end; ++i) {
             const Edge& edge = edges_[near_[i]];
-            if (come_near(square, edge, beside) &&
-                squared_distance(centre, edge) <= reach * reach) {
+            if (squared_distance(centre, edge) <= reach * reach) {
                 const double own = kind.reach * kind.reach;
                 if (kind.keeps_distance && is_all_near(square, edge, own)) return Answer::no;
                 if (is_near(square, edge, own)) {

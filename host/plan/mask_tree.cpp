@@ -111,7 +111,7 @@ void MaskTree::set_root(const Piece& root) {
 std::uint8_t MaskTree::over(PixelRange columns, PixelRange rows) const {
     constexpr std::uint32_t kMost = 4;
     const std::uint32_t longer = std::max(columns.last - columns.first, rows.last - rows.first);
-    // The smallest of these levels at which the range may touch so few squares.
+    // At a lower level the range would touch more than kMost squares in a row.
     unsigned level = static_cast<unsigned>(std::bit_width(longer / kMost));
     while ((columns.last >> level) - (columns.first >> level) >= kMost ||
            (rows.last >> level) - (rows.first >> level) >= kMost)
@@ -125,34 +125,32 @@ std::uint8_t MaskTree::over(PixelRange columns, PixelRange rows) const {
         at = child(at, slot);
     }
     std::uint32_t seen = 0;  // a bit for each value
-    see(at, level, columns, rows, seen);
+    add_values(at, level, columns, rows, seen);
     return seen == 1U << ALLOWED_NONE  ? ALLOWED_NONE
            : seen == 1U << ALLOWED_ALL ? ALLOWED_ALL
                                        : ALLOWED_SOME;
 }
 
-// Adds the values of the squares of 2^level pixels that the range touches, all of which lie in the
-// node, until there are two.
-void MaskTree::see(Place at, unsigned level, PixelRange columns, PixelRange rows,
-                   std::uint32_t& seen) const {
+void MaskTree::add_values(Place at, unsigned level, PixelRange columns, PixelRange rows,
+                          std::uint32_t& values) const {
     const Node node = nodes_[at.node];
     for (std::uint32_t j = rows.first >> at.shift; j <= rows.last >> at.shift; ++j)
         for (std::uint32_t i = columns.first >> at.shift; i <= columns.last >> at.shift; ++i) {
             const std::uint32_t slot = portable::slot_of(i, j, 0);
             const std::uint32_t value = portable::value_of_slot(node.values, slot);
             if (at.shift < level) {
-                seen |= 1U << portable::value_of_quadrant(node.values, slot);
+                values |= 1U << portable::value_of_quadrant(node.values, slot);
             } else if (value != ALLOWED_SOME || at.shift == level) {
-                seen |= 1U << value;
+                values |= 1U << value;
             } else {
                 const auto within = [&](PixelRange range, std::uint32_t place) {
                     const std::uint32_t first = place << at.shift;
                     return PixelRange{std::max(range.first, first),
                                       std::min(range.last, first + ((1U << at.shift) - 1))};
                 };
-                see(child(at, slot), level, within(columns, i), within(rows, j), seen);
+                add_values(child(at, slot), level, within(columns, i), within(rows, j), values);
             }
-            if ((seen & (seen - 1)) != 0) return;
+            if ((values & (values - 1)) != 0) return;
         }
 }
 

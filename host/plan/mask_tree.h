@@ -58,7 +58,13 @@ public:
 
     // What at() and over() of a Pyramid (plan/pixels.h) would say.
     std::uint8_t at(std::uint32_t column, std::uint32_t row) const {
-        return static_cast<std::uint8_t>(below({0, root_}, 0, column, row));
+        Place at{0, root_};
+        std::uint32_t slot = portable::slot_of(column, row, at.shift);
+        while (portable::value_of_slot(nodes_[at.node].values, slot) == ALLOWED_SOME) {
+            at = child(at, slot);
+            slot = portable::slot_of(column, row, at.shift);
+        }
+        return static_cast<std::uint8_t>(portable::value_of_slot(nodes_[at.node].values, slot));
     }
     std::uint8_t over(PixelRange columns, PixelRange rows) const;
 
@@ -83,21 +89,10 @@ private:
         const Node& node = nodes_[at.node];
         return {node.first + portable::rank_of_slot(node.values, slot), at.shift - 2};
     }
-    // The merged value of the square of 2^level pixels that a pixel lies in. The square lies in the
-    // node, and is at most half as wide.
-    std::uint32_t below(Place at, unsigned level, std::uint32_t column, std::uint32_t row) const {
-        std::uint32_t slot = portable::slot_of(column, row, at.shift);
-        while (at.shift > level &&
-               portable::value_of_slot(nodes_[at.node].values, slot) == ALLOWED_SOME) {
-            at = child(at, slot);
-            slot = portable::slot_of(column, row, at.shift);
-        }
-        const std::uint32_t values = nodes_[at.node].values;
-        return at.shift < level ? portable::value_of_quadrant(values, slot)
-                                : portable::value_of_slot(values, slot);
-    }
-    void see(Place at, unsigned level, PixelRange columns, PixelRange rows,
-             std::uint32_t& seen) const;
+    // Adds the values of the squares of 2^level pixels that the range touches, all of which lie in
+    // the node, until there are two. Bit v of `values` is for the value v.
+    void add_values(Place at, unsigned level, PixelRange columns, PixelRange rows,
+                    std::uint32_t& values) const;
     void visit_node(Place at, std::uint32_t column, std::uint32_t row, const Visit& visit) const;
 
     std::uint32_t columns_;

@@ -60,23 +60,25 @@ RadiusField::Shape shape_of(const Request& around, const Domain& own, double bor
             lost_at_corner(all)};
 }
 
+// The position that is `by` units from another one, on a torus around it.
+std::uint32_t shifted(std::uint32_t from, std::int64_t by, std::int64_t units, bool wraps) {
+    const std::int64_t to = from + by;
+    return static_cast<std::uint32_t>(wraps ? (to + units) % units
+                                            : std::clamp<std::int64_t>(to, 0, units - 1));
+}
+
 // The radius of a kept point. It may lie on a pixel where no sample may, if that pixel's border is
 // near and the other side is allowed (check_kept_place). Then the radius of the nearest position
 // that has one is taken. On a torus the first positions lie beside the last ones.
 std::uint32_t radius_of_kept(const RadiusField& radius_field, Sample at, bool wraps) {
     std::uint32_t radius = radius_field.radius_at(at.x, at.y);
     constexpr std::int64_t kFarthest = 8;  // 2^-28 of the longer side, plus rounding
-    const auto shifted = [wraps](std::uint32_t from, std::int64_t by, std::int64_t units) {
-        const std::int64_t to = from + by;
-        return static_cast<std::uint32_t>(wraps ? (to + units) % units
-                                                : std::clamp<std::int64_t>(to, 0, units - 1));
-    };
     // A mask does not count: kept points may lie on outlines, farther from where samples may lie.
     const auto radius_beside = [&](std::int64_t x, std::int64_t y) {
         const RadiusField::Shape& shape = radius_field.shape();
         return radius_field.radii()
-            .at(radius_field.columns().pixel_of(shifted(at.x, x, shape.width)),
-                radius_field.rows().pixel_of(shifted(at.y, y, shape.height)))
+            .at(radius_field.columns().pixel_of(shifted(at.x, x, shape.width, wraps)),
+                radius_field.rows().pixel_of(shifted(at.y, y, shape.height, wraps)))
             .greatest();
     };
     for (std::int64_t far = 0; radius == 0 && far <= kFarthest; ++far)
@@ -104,10 +106,8 @@ std::vector<Sized> kept_on(const RadiusField& radius_field, const ClassCopies& c
         };
         const Sample low{along(point.x, request.domain.width / width, width),
                          along(point.y, request.domain.height / height, height)};
-        const auto next = [&](std::uint32_t at, std::uint32_t units) {
-            return at + 1 < units ? at + 1 : wraps ? 0 : at;
-        };
-        const std::uint32_t right = next(low.x, width), up = next(low.y, height);
+        const std::uint32_t right = shifted(low.x, 1, width, wraps);
+        const std::uint32_t up = shifted(low.y, 1, height, wraps);
         Sample found = low;
         const bool is_member = kept.size() < members;
         for (const Sample near : {Sample{right, up}, Sample{low.x, up}, Sample{right, low.y}, low})

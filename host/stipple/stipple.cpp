@@ -82,11 +82,12 @@ private:
                made_.plot_seconds > *options_.plot_seconds;
     }
 
-    // Ways grow with the root of the number, and so do strokes; dots take their time each.
+    // Ways, lines and strokes grow with the root of the number; each dot takes the same time.
     std::uint64_t count_in_time() const {
         const auto count = static_cast<double>(made_.result.points.size());
         const double seconds = 0.995 * *options_.plot_seconds;
-        const double of_dot = made_.are_strokes ? 0 : options_.plotter.seconds_per_dot;
+        const bool has_dots = !made_.are_strokes && !options_.path_line;
+        const double of_dot = has_dots ? options_.plotter.seconds_per_dot : 0;
         const double of_ways = (made_.plot_seconds - of_dot * count) / std::sqrt(count);
         const double root =
             2 * seconds / (of_ways + std::sqrt(of_ways * of_ways + 4 * of_dot * seconds));

@@ -45,12 +45,6 @@ inline double hard_place(Chooser& choose, const Made& made, double side, std::ui
     }
 }
 
-// From the nearest edge of the domain; negative outside it.
-inline double distance_from_edges(const Domain& domain, Point at) {
-    const Point way = domain.from_corner(at);
-    return std::min({way.x, domain.width - way.x, way.y, domain.height - way.y});
-}
-
 // Instead of some of the kept points: at corners, on borders of pixels or close enough to count
 // for both pixels, at Places::border, or at exactly the least distance from another one.
 inline void add_hard_points(Chooser& choose, Made& made) {
@@ -71,7 +65,7 @@ inline void add_hard_points(Chooser& choose, Made& made) {
         // At the seam of a torus the mask goes on beyond the edges, but polygons do not.
         if (!made.polygons.empty() && judge::depth_in(made.polygons, at) < 0) continue;
         // A border may be smaller than what the judge leaves to rounding, and is kept exactly.
-        if (distance_from_edges(request.domain, at) < request.places.border) continue;
+        if (judge::to_edges(request.domain, at) < request.places.border) continue;
         made.keep.push_back(at);
         if (!fault_of_kept(made, made.keep).empty()) made.keep.pop_back();
     }

@@ -147,17 +147,20 @@ TEST(KeptPoints, AreComparedInAShortTimeWhereverTheyLieAndHoweverDistancesDiffer
 TEST(KeptPoints, AtTheSeamOfATorusCountForThePixelsBeyondIt) {
     const double last = std::nextafter(1, 0), near = 1 - 0x1p-29;
     const Field left{4, 1, {1, 0, 0, 0}}, corner{2, 2, {0, 0, 1, 0}};
+    const Mask mask{4, 1, {1, 0, 0, 0}, {}, {}};
     for (const auto& [open, at] :
          {std::pair{left, Point{last, 0.5}}, {left, {near, 0.5}}, {corner, {near, last}}})
-        for (const double ratio : {1.0, 1.5}) {
+        for (const double ratio : {0.0, 1.0, 1.5}) {  // 0: the mask without a field
             Field field = open;
-            if (ratio != 1) field.stretches.assign(4, {ratio, 0.3});
+            if (ratio > 1) field.stretches.assign(4, {ratio, 0.3});
             const std::vector<Point> keep{at};
             Request request{.domain = {1, 1, Boundary::torus}, .field = &field, .scale = 0.1};
+            if (ratio == 0) request = {.domain = request.domain, .radius = 0.1};
+            if (ratio == 0) request.places.mask = &mask;
             request.keep = keep;
-            const std::vector<Point> made = sample(request).points;
-            for (std::size_t i = 1; i < made.size(); ++i)
-                EXPECT_GE(judge::distance(request.domain, made[i], at), 0.0999 / sqrt(ratio));
+            const Result made = sample(request);
+            EXPECT_EQ(made.points.front(), at);
+            EXPECT_TRUE(prove(made.points, claim_of(request, made)).maximal);
             request.domain.boundary = Boundary::box;
             EXPECT_THROW(sample(request), BadRequest);
         }
